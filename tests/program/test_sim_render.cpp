@@ -39,7 +39,7 @@ TEST_F(SimRender, SaysWhichCamerasThereAreAndWhatAPlaceLooksLike) {
   const ProgramRun no_camera =
       render({"--vehicle", AISLE_SOURCE_DIR "/vehicles/alv.yaml", "--camera", "rear", "-o", at("a.png")});
   EXPECT_EQ(no_camera.exit_code, 2);
-  EXPECT_THAT(no_camera.err, HasSubstr("there is no camera 'rear'; there is "));
+  EXPECT_THAT(no_camera.err, HasSubstr("there is no camera 'rear'; there are: "));
   const ProgramRun no_place = render({"--at", "1,2", "-o", at("a.png")});
   EXPECT_EQ(no_place.exit_code, 2);
   EXPECT_THAT(no_place.err, HasSubstr("'1,2' is not x,y,degrees"));

@@ -37,7 +37,7 @@ TEST_F(SimShow, WarnsOfWhatALargeVehicleCannotReach) {
        "tour: [[1, 1], [1, 2.8]]\n");
   const ProgramRun run = run_aisle({"sim", "show", at("shut.yaml")});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.err, HasSubstr("does not get from the start to 'vault'"));
+  EXPECT_THAT(run.err, HasSubstr("cannot get from the start to 'vault'"));
   EXPECT_THAT(run.err, HasSubstr("the tour passes 0.20 m from an obstacle"));
 }
 

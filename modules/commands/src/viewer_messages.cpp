@@ -18,11 +18,11 @@ std::string text_cdr(const ViewerJson& json) {
 }
 
 /// Laser light on objects, as dashes.
-void append_light(Overlay& overlay, std::span<const Vec2> p_vehicle_lit, const CameraDescription& camera,
+void append_light(Overlay& overlay, std::span<const Vec2> p_vehicle_returns, const CameraDescription& camera,
                   double height_m) {
   const Vec2 lateral(3, 0);
   const CameraModel model(camera.intrinsics);
-  for (const Vec2& p : p_vehicle_lit) {
+  for (const Vec2& p : p_vehicle_returns) {
     const auto pixel = model.project(camera.mount.to_camera({p.x(), p.y(), height_m}));
     if (pixel) overlay.push_back({"stripe", *pixel - lateral, *pixel + lateral});
   }
@@ -48,7 +48,7 @@ Overlay overlay_of(const LandmarkNavigator& navigator, const VehicleDescription&
     overlay.push_back({"foot", sighting.floor_point_px - up, sighting.floor_point_px + up});
   }
   if (const CameraDescription* eye = vehicle.camera(camera); eye != nullptr && vehicle.laser_markers)
-    append_light(overlay, navigator.p_vehicle_lit(), *eye, vehicle.laser_markers->height_m);
+    append_light(overlay, navigator.p_vehicle_returns(), *eye, vehicle.laser_markers->height_m);
   return overlay;
 }
 

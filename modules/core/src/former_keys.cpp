@@ -8,7 +8,7 @@ namespace aisle {
 namespace {
 
 /// Former name, present name.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 32> kRenamed = {{
+constexpr auto kRenamed = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"agreeing_pictures", "agreeing_images"},
     {"aside_m", "lateral_m"},
     {"aside_max", "lateral_max"},
@@ -21,12 +21,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 32> kRenamed
     {"foot_share", "floor_point_share"},
     {"gates", "frontiers"},
     {"haste", "heuristic_weight"},
+    {"hitches", "planning_failures"},
     {"lesson", "learner"},
     {"nooks", "pockets"},
     {"patience", "retry_budget"},
     {"patience_s", "timeout_s"},
     {"pictures", "images"},
     {"places_per_picture", "places_per_image"},
+    {"room_m", "clearance_m"},
     {"same_gate_m", "same_frontier_m"},
     {"spare_wanted_m", "clearance_wanted_m"},
     {"strange_colour", "unmatched_colour"},
@@ -41,7 +43,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 32> kRenamed
     {"way_max_m_per_m2", "path_max_m_per_m2"},
     {"wish_age_max_s", "request_age_max_s"},
     {"wish_deg", "requested_deg"},
-}};
+});
 
 std::string_view present_part(std::string_view part) {
   const auto renamed =

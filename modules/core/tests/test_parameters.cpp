@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/former_keys.hpp"
 #include "aisle/core/parameters.hpp"
 #include "aisle/core/random.hpp"
 
@@ -101,6 +102,35 @@ TEST(Parameters, DegreesArePrintedWithTheDigitsThatTheyWereWrittenWith) {
     ASSERT_THAT(fields.assign("x", text, {}), IsEmpty());
     EXPECT_EQ(fields.all()[0].value_text(), text);
   }
+}
+
+TEST(Parameters, AFormerKeyIsReadAsThePresentOne) {
+  struct Frontiers {
+    double uncertain_m = 0.05;
+    void describe(FieldList& fields) { fields.real("uncertain_m", uncertain_m, {0, 1}, ""); }
+  };
+  struct Explorer {
+    Frontiers frontiers;
+    void describe(FieldList& fields) { fields.group("frontiers", frontiers); }
+  } params;
+  ASSERT_THAT(fields_of(params).assign("gates.doubt_m", "0.25", {}), IsEmpty());
+  EXPECT_EQ(params.frontiers.uncertain_m, 0.25);
+  EXPECT_EQ(present_key("inner.tries"), "inner.tries");
+  EXPECT_EQ(present_key(""), "");
+  EXPECT_EQ(present_key("way_m."), "path_m.");
+}
+
+TEST(Parameters, AKeyThatIsBothAFormerAndAPresentOneIsThePresentOne) {
+  struct Both {
+    double room_m = 1, clearance_m = 1;
+    void describe(FieldList& fields) {
+      fields.real("room_m", room_m, {0, 9}, "");
+      fields.real("clearance_m", clearance_m, {0, 9}, "");
+    }
+  } params;
+  ASSERT_THAT(fields_of(params).assign("room_m", "2", {}), IsEmpty());
+  EXPECT_EQ(params.room_m, 2);
+  EXPECT_EQ(params.clearance_m, 1);
 }
 
 TEST(Parameters, AnUnknownKeyNamesTheNearestOne) {

@@ -28,8 +28,8 @@ double apart_cells(const Frontier& a, const Frontier& b, double matters) {
   const FloorBox around = a.box.widened(static_cast<int>(std::ceil(matters)));
   double nearest2 = std::numeric_limits<double>::infinity();
   if (around.common_with(b.box).empty()) return nearest2;
-  for (const FloorCell p : a.frontier_cells) {
-    for (const FloorCell q : b.frontier_cells) {
+  for (const FloorCell p : a.cells) {
+    for (const FloorCell q : b.cells) {
       const double dx = p.x - q.x, dy = p.y - q.y;
       nearest2 = std::min(nearest2, dx * dx + dy * dy);
     }
@@ -68,7 +68,7 @@ BuildingExplorer::BuildingExplorer(const ExplorerParams& params, ExploringOrder 
 
 void BuildingExplorer::look_around(const FloorGrid& floor, const FloorClearance& clearance,
                                    const Vec2& p_map_middle) {
-  from_vehicle_.measure(floor, clearance, p_map_middle, params_.frontiers.room_m, kLeeway_m);
+  from_vehicle_.measure(floor, clearance, p_map_middle, params_.frontiers.clearance_m, kLeeway_m);
   frontiers_ = find_frontiers(floor, clearance, from_vehicle_, params_.frontiers, marks_);
 }
 
@@ -86,7 +86,7 @@ ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClea
   match_frontiers(floor, T_map_vehicle);
   if (auto target = go_on(T_map_vehicle)) return *target;
   if (order_ == ExploringOrder::kRecommended)
-    from_home_.measure(floor, clearance, T_map_home.position(), params_.frontiers.room_m, kLeeway_m);
+    from_home_.measure(floor, clearance, T_map_home.position(), params_.frontiers.clearance_m, kLeeway_m);
   return take_from_stack(T_map_vehicle);
 }
 
@@ -99,7 +99,7 @@ void BuildingExplorer::match_frontiers(const FloorGrid& floor, const Pose2& T_ma
     const auto path = continued_by(floor, frontiers_[i]);
     if (!path) continue;
     std::optional<std::size_t>& best = frontier_of[*path];
-    if (best && frontiers_[*best].frontier_cells.size() >= frontiers_[i].frontier_cells.size()) continue;
+    if (best && frontiers_[*best].cells.size() >= frontiers_[i].cells.size()) continue;
     if (best) continued[*best].reset();
     best = i;
     continued[i] = path;
@@ -268,9 +268,8 @@ std::optional<std::size_t> BuildingExplorer::best_waiting() const {
     double cost_m = path.frontier.path_m;
     if (home_weight > 0) {
       float home_m = FloorDistances::kUnreached;
-      if (path.frontier.is_pocket) home_m = from_home_.to(path.frontier.stand);
-      for (const FloorCell cell : path.frontier.frontier_cells)
-        home_m = std::min(home_m, from_home_.to(cell));
+      if (path.frontier.is_pocket) home_m = from_home_.to(path.frontier.viewpoint);
+      for (const FloorCell cell : path.frontier.cells) home_m = std::min(home_m, from_home_.to(cell));
       if (std::isfinite(home_m)) cost_m -= home_weight * home_m;
     }
     if (cost_m >= least_m) continue;

@@ -21,10 +21,10 @@ constexpr bool is_diagonal(unsigned step) {
 }  // namespace
 
 void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m,
-                             double room_m, double leeway_m) {
+                             double clearance_m, double leeway_m) {
   box_ = clearance.room();
   cell_m_ = static_cast<float>(floor.cell_m());
-  const auto has_clearance = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= room_m; };
+  const auto has_clearance = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= clearance_m; };
   tenths_.resize(clearance.size());
   for (std::size_t at = 0; at < tenths_.size(); ++at) tenths_[at] = has_clearance(at) ? kFar : kShut;
   const FloorCell start = floor.cell_at(from_m);

@@ -6,12 +6,12 @@ namespace aisle {
 
 void measure_frontier_cells(const FloorGrid& floor, Frontier& frontier) {
   Vec2 middle = Vec2::Zero();
-  for (const FloorCell cell : frontier.frontier_cells) {
+  for (const FloorCell cell : frontier.cells) {
     frontier.box.include(cell);
-    middle += floor.centre(cell) / static_cast<double>(frontier.frontier_cells.size());
+    middle += floor.centre(cell) / static_cast<double>(frontier.cells.size());
   }
-  const auto nearest = std::min_element(
-      frontier.frontier_cells.begin(), frontier.frontier_cells.end(), [&](FloorCell a, FloorCell b) {
+  const auto nearest =
+      std::min_element(frontier.cells.begin(), frontier.cells.end(), [&](FloorCell a, FloorCell b) {
         return (floor.centre(a) - middle).squaredNorm() < (floor.centre(b) - middle).squaredNorm();
       });
   frontier.p_map = floor.centre(*nearest);

@@ -10,7 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kCountedBehind_m2 = 2;  // larger areas behind a frontier are not distinguished
-constexpr std::size_t kRimMax = 24;      // points that represent a rim
+constexpr std::size_t kEdgeMax = 24;      // points that represent an edge
 constexpr double kBesideCells = 1.5;     // the distances of two adjacent cells differ by less
 
 class FrontierFinder {
@@ -28,7 +28,7 @@ class FrontierFinder {
       if (marks_[clearance_.index(cell)] != kFrontierCell) continue;
       Frontier frontier = gather(cell);
       measure_behind(frontier);
-      if (frontier.behind_m2 >= params_.area_min_m2 && !frontier.rim.empty())
+      if (frontier.behind_m2 >= params_.area_min_m2 && !frontier.edge.empty())
         frontiers.push_back(std::move(frontier));
     }
     return frontiers;
@@ -37,9 +37,9 @@ class FrontierFinder {
  private:
   enum Mark : std::uint8_t { kNothing, kFrontierCell, kTaken, kCounted };
 
-  bool is_sure(FloorCell cell) const { return clearance_.to_doubtful_m(cell) >= params_.room_m; }
+  bool is_sure(FloorCell cell) const { return clearance_.to_doubtful_m(cell) >= params_.clearance_m; }
   bool may_be_floor(FloorCell cell) const {
-    return clearance_.to_occupied_m(cell) >= params_.room_m + params_.uncertain_m;
+    return clearance_.to_occupied_m(cell) >= params_.clearance_m + params_.uncertain_m;
   }
   bool is_doubtful(FloorCell cell) const {
     return clearance_.room().contains(cell) && may_be_floor(cell) && !is_sure(cell);
@@ -55,8 +55,8 @@ class FrontierFinder {
   }
 
   std::vector<FloorCell> mark_frontier_cells() {
-    std::vector<FloorCell> frontier_cells;
-    const double sure_m = params_.room_m, beside_uncertain_m = sure_m + kBesideCells * floor_.cell_m();
+    std::vector<FloorCell> cells;
+    const double sure_m = params_.clearance_m, beside_uncertain_m = sure_m + kBesideCells * floor_.cell_m();
     clearance_.for_cells(floor_.known(), [&](FloorCell cell, std::size_t index) {
       const double clearance_m = clearance_.to_doubtful_m(index);
       if (clearance_m < sure_m || clearance_m >= beside_uncertain_m) return;
@@ -73,18 +73,18 @@ class FrontierFinder {
   Frontier gather(FloorCell first) {
     const int gap = static_cast<int>(params_.cluster_gap_m / floor_.cell_m());
     Frontier frontier;
-    frontier.frontier_cells.push_back(first);
+    frontier.cells.push_back(first);
     marks_[clearance_.index(first)] = kTaken;
-    for (std::size_t i = 0; i < frontier.frontier_cells.size(); ++i) {
-      for_neighbours(FloorCell(frontier.frontier_cells[i]), gap, [&](FloorCell next) {
+    for (std::size_t i = 0; i < frontier.cells.size(); ++i) {
+      for_neighbours(FloorCell(frontier.cells[i]), gap, [&](FloorCell next) {
         if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] != kFrontierCell) return;
         marks_[clearance_.index(next)] = kTaken;
-        frontier.frontier_cells.push_back(next);
+        frontier.cells.push_back(next);
       });
     }
     measure_frontier_cells(floor_, frontier);
     frontier.path_m = FloorDistances::kUnreached;
-    for (const FloorCell cell : frontier.frontier_cells)
+    for (const FloorCell cell : frontier.cells)
       frontier.path_m = std::min<double>(frontier.path_m, reached_.to(cell));
     return frontier;
   }
@@ -98,7 +98,7 @@ class FrontierFinder {
       marks_[clearance_.index(cell)] = kCounted;
       behind.push_back(cell);
     };
-    for (const FloorCell cell : frontier.frontier_cells) for_neighbours(cell, 1, count);
+    for (const FloorCell cell : frontier.cells) for_neighbours(cell, 1, count);
     const double cell_m2 = floor_.cell_m() * floor_.cell_m();
     const auto enough = static_cast<std::size_t>(kCountedBehind_m2 / cell_m2);
     for (std::size_t i = 0; i < behind.size() && behind.size() < enough; ++i)
@@ -109,32 +109,33 @@ class FrontierFinder {
   }
 
   void collect_rim(Frontier& frontier, const std::vector<FloorCell>& behind) {
-    std::vector<FloorCell> rim;
-    const int reach = static_cast<int>(std::ceil(params_.room_m / floor_.cell_m()));
+    std::vector<FloorCell> edge;
+    const int reach = static_cast<int>(std::ceil(params_.clearance_m / floor_.cell_m()));
     for (const FloorCell cell : behind) {
-      if (floor_.at(cell) == Floor::kUnknown) add_edge(cell, rim);
+      if (floor_.at(cell) == Floor::kUnknown) add_edge(cell, edge);
     }
-    if (!rim.empty()) return thin_out(rim, frontier);
+    if (!edge.empty()) return thin_out(edge, frontier);
     // uncertain floor borders on free floor: the unknown is within the vehicle's width of it
     for (const FloorCell cell : behind) {
       for_neighbours(cell, reach, [&](FloorCell next) {
-        if (floor_.at(next) == Floor::kUnknown) add_edge(next, rim);
+        if (floor_.at(next) == Floor::kUnknown) add_edge(next, edge);
       });
     }
-    thin_out(rim, frontier);
+    thin_out(edge, frontier);
   }
 
-  /// An unknown cell beside a free one lies on the rim.
-  void add_edge(FloorCell cell, std::vector<FloorCell>& rim) const {
+  /// An unknown cell beside a free one lies on the edge.
+  void add_edge(FloorCell cell, std::vector<FloorCell>& edge) const {
     bool borders = false;
     for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || floor_.at(next) == Floor::kFree; });
-    if (borders) rim.push_back(cell);
+    if (borders) edge.push_back(cell);
   }
 
-  void thin_out(const std::vector<FloorCell>& rim, Frontier& frontier) const {
-    const std::size_t every = rim.size() / kRimMax + 1;
-    for (std::size_t i = every / 2; i < rim.size(); i += every) frontier.rim.push_back(floor_.centre(rim[i]));
-    if (frontier.rim.empty() && !rim.empty()) frontier.rim.push_back(floor_.centre(rim.front()));
+  void thin_out(const std::vector<FloorCell>& edge, Frontier& frontier) const {
+    const std::size_t every = edge.size() / kEdgeMax + 1;
+    for (std::size_t i = every / 2; i < edge.size(); i += every)
+      frontier.edge.push_back(floor_.centre(edge[i]));
+    if (frontier.edge.empty() && !edge.empty()) frontier.edge.push_back(floor_.centre(edge.front()));
   }
 
   const FloorGrid& floor_;
@@ -147,7 +148,7 @@ class FrontierFinder {
 }  // namespace
 
 void FrontierParams::describe(FieldList& fields) {
-  fields.real("room_m", room_m, {0.05, 2},
+  fields.real("clearance_m", clearance_m, {0.05, 2},
               "clearance from the vehicle's centre line to anything that is not free floor");
   fields.real("uncertain_m", uncertain_m, {0.02, 0.5},
               "beyond this extra clearance from obstacles there may be floor");
@@ -158,9 +159,9 @@ void FrontierParams::describe(FieldList& fields) {
 
 Frontier with_cells_halved(Frontier frontier) {
   const auto halved = [](FloorCell cell) { return FloorCell{2 * cell.x, 2 * cell.y}; };
-  for (FloorCell& cell : frontier.frontier_cells) cell = halved(cell);
+  for (FloorCell& cell : frontier.cells) cell = halved(cell);
   frontier.box = {halved(frontier.box.low), halved(frontier.box.end)};
-  frontier.stand = halved(frontier.stand);
+  frontier.viewpoint = halved(frontier.viewpoint);
   return frontier;
 }
 

@@ -15,9 +15,9 @@ namespace {
 constexpr int kDarkCells = 3;                 // behind the edge, all unknown
 constexpr double kBesideUnknownCells = 0.75;  // cells with less clearance border on the unknown
 constexpr double kBeyondFrontier_m = 0.3;     // depth of the unknown that a frontier surely leads to
-constexpr std::size_t kLooksMax = 6;          // points of a rim from which lines of sight are cast ...
+constexpr std::size_t kLooksMax = 6;          // points of an edge from which lines of sight are cast ...
 constexpr int kSights = 96;                   // ... in this many directions: doors may be hardly open
-constexpr std::size_t kPocketRimMax = 24;     // points that represent a rim
+constexpr std::size_t kPocketRimMax = 24;     // points that represent an edge
 constexpr double kSightMin_m = 0.8;           // the vehicle's centre does not come nearer
 constexpr double kStrideMax_m = 0.2;          // along a line of sight, over free floor
 constexpr std::array<FloorCell, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
@@ -51,8 +51,7 @@ class PocketFinder {
     for (const FloorCell cell : edges) {
       if (marks_[clearance_.index(cell)] != kEdge) continue;
       Frontier pocket = gather(cell);
-      if (pocket.frontier_cells.size() >= cells_min && find_stand(pocket))
-        pockets.push_back(std::move(pocket));
+      if (pocket.cells.size() >= cells_min && find_stand(pocket)) pockets.push_back(std::move(pocket));
     }
     return pockets;
   }
@@ -61,7 +60,7 @@ class PocketFinder {
   enum Mark : std::uint8_t { kNothing, kLedTo, kEdge, kTaken };
 
   bool may_be_floor(FloorCell cell) const {
-    return clearance_.to_occupied_m(cell) >= frontier_params_.room_m + frontier_params_.uncertain_m;
+    return clearance_.to_occupied_m(cell) >= frontier_params_.clearance_m + frontier_params_.uncertain_m;
   }
 
   /// Marks what may be floor behind a frontier, along the edge of the known floor.
@@ -72,12 +71,12 @@ class PocketFinder {
     };
     const int beyond_max = static_cast<int>(kBeyondFrontier_m / floor_.cell_m());
     std::vector<LedTo> steps;
-    for (const FloorCell cell : frontier.frontier_cells) steps.push_back({cell, 0});
+    for (const FloorCell cell : frontier.cells) steps.push_back({cell, 0});
     for (std::size_t i = 0; i < steps.size(); ++i) {
       for (const FloorCell step : kBeside) {
         const FloorCell next{steps[i].cell.x + step.x, steps[i].cell.y + step.y};
         if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] == kLedTo) continue;
-        const bool is_sure = clearance_.to_doubtful_m(next) >= frontier_params_.room_m;
+        const bool is_sure = clearance_.to_doubtful_m(next) >= frontier_params_.clearance_m;
         if (is_sure || !may_be_floor(next)) continue;
         const int beyond = floor_.at(next) == Floor::kFree ? 0 : steps[i].beyond + 1;
         if (beyond > beyond_max) continue;
@@ -100,7 +99,7 @@ class PocketFinder {
   }
 
   bool is_led_to(FloorCell cell) const {
-    const int reach = static_cast<int>(frontier_params_.room_m / floor_.cell_m());
+    const int reach = static_cast<int>(frontier_params_.clearance_m / floor_.cell_m());
     for (int y = -reach; y <= reach; y += 2) {
       for (int x = -reach; x <= reach; x += 2) {
         const FloorCell near{cell.x + x, cell.y + y};
@@ -124,32 +123,32 @@ class PocketFinder {
   Frontier gather(FloorCell first) {
     Frontier pocket;
     pocket.is_pocket = true;
-    pocket.frontier_cells.push_back(first);
+    pocket.cells.push_back(first);
     marks_[clearance_.index(first)] = kTaken;
-    for (std::size_t i = 0; i < pocket.frontier_cells.size(); ++i) {
-      const FloorCell cell = pocket.frontier_cells[i];
+    for (std::size_t i = 0; i < pocket.cells.size(); ++i) {
+      const FloorCell cell = pocket.cells[i];
       for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
         for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
           const std::size_t next = clearance_.index({x, y});
           if (marks_[next] != kEdge) continue;
           marks_[next] = kTaken;
-          pocket.frontier_cells.push_back({x, y});
+          pocket.cells.push_back({x, y});
         }
       }
     }
     measure_frontier_cells(floor_, pocket);
-    pocket.behind_m2 = static_cast<double>(kDarkCells) * static_cast<double>(pocket.frontier_cells.size()) *
+    pocket.behind_m2 = static_cast<double>(kDarkCells) * static_cast<double>(pocket.cells.size()) *
                        floor_.cell_m() * floor_.cell_m();
-    for (const std::size_t i : spread(pocket.frontier_cells.size(), kPocketRimMax))
-      pocket.rim.push_back(floor_.centre(*dark_beside(pocket.frontier_cells[i])));
+    for (const std::size_t i : spread(pocket.cells.size(), kPocketRimMax))
+      pocket.edge.push_back(floor_.centre(*dark_beside(pocket.cells[i])));
     return pocket;
   }
 
-  /// The nearest place to the vehicle with a line of sight to part of the rim.
+  /// The nearest place to the vehicle with a line of sight to part of the edge.
   bool find_stand(Frontier& pocket) const {
     pocket.path_m = FloorDistances::kUnreached;
-    for (const std::size_t i : spread(pocket.rim.size(), kLooksMax)) {
-      for (int k = 0; k < kSights; ++k) look_back(pocket.rim[i], unit(2 * kPi * k / kSights), pocket);
+    for (const std::size_t i : spread(pocket.edge.size(), kLooksMax)) {
+      for (int k = 0; k < kSights; ++k) look_back(pocket.edge[i], unit(2 * kPi * k / kSights), pocket);
     }
     return pocket.path_m < FloorDistances::kUnreached;
   }
@@ -161,7 +160,7 @@ class PocketFinder {
       if (kind == Floor::kOccupied || (kind == Floor::kUnknown && along_m > Frontier::kPocketDepth_m)) return;
       if (along_m >= kSightMin_m && reached_.to(cell) < pocket.path_m) {
         pocket.path_m = reached_.to(cell);
-        pocket.stand = cell;
+        pocket.viewpoint = cell;
       }
       along_m += std::clamp(clearance_.to_doubtful_m(cell) - floor_.cell_m(), floor_.cell_m(), kStrideMax_m);
     }

@@ -52,7 +52,7 @@ class DrawnFloor {
  private:
   FloorDistances reached_now(const FloorClearance& clearance) const {
     FloorDistances reached;
-    reached.measure(floor, clearance, {1, 1}, params.room_m, 1);
+    reached.measure(floor, clearance, {1, 1}, params.clearance_m, 1);
     return reached;
   }
 };

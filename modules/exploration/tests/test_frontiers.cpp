@@ -10,7 +10,7 @@ TEST(Frontiers, CorridorWhoseEndIsNotSeenYetHasOne) {
   drawn.put_corridor(5, 2);
   const auto frontiers = drawn.frontiers();
   ASSERT_EQ(frontiers.size(), 1);
-  EXPECT_NEAR(frontiers[0].p_map.x(), 5 - drawn.params.room_m, 0.15);
+  EXPECT_NEAR(frontiers[0].p_map.x(), 5 - drawn.params.clearance_m, 0.15);
   EXPECT_NEAR(frontiers[0].p_map.y(), 1, 0.3);
   EXPECT_NEAR(frontiers[0].path_m, frontiers[0].p_map.x() - 1, 0.2);
 }
@@ -45,16 +45,16 @@ TEST(Frontiers, RimLiesWhereTheFreeFloorEnds) {
   drawn.put_corridor(5, 2);
   const auto frontiers = drawn.frontiers();
   ASSERT_EQ(frontiers.size(), 1);
-  ASSERT_FALSE(frontiers[0].rim.empty());
-  for (const Vec2& p : frontiers[0].rim) EXPECT_NEAR(p.x(), 5.025, 0.06);
+  ASSERT_FALSE(frontiers[0].edge.empty());
+  for (const Vec2& p : frontiers[0].edge) EXPECT_NEAR(p.x(), 5.025, 0.06);
 }
 
 TEST(Frontiers, AreFoundWhereTheyWereOnCellsHalfAsWide) {
   DrawnFloor coarse, fine(0.025);
   for (DrawnFloor* drawn : {&coarse, &fine}) drawn->put_corridor(5, 2);
   const Frontier halved = with_cells_halved(coarse.frontiers().at(0)), found = fine.frontiers().at(0);
-  ASSERT_EQ(halved.frontier_cells.size(), coarse.frontiers()[0].frontier_cells.size());
-  for (const FloorCell cell : halved.frontier_cells) EXPECT_TRUE(found.box.widened(2).contains(cell));
+  ASSERT_EQ(halved.cells.size(), coarse.frontiers()[0].cells.size());
+  for (const FloorCell cell : halved.cells) EXPECT_TRUE(found.box.widened(2).contains(cell));
   EXPECT_TRUE(halved.box.widened(2).contains(found.box.low));
 }
 

@@ -26,8 +26,8 @@ TEST(Pockets, ARecessTooNarrowForTheVehicleIsOne) {
   const auto pockets = drawn.pockets();
   ASSERT_EQ(pockets.size(), 1);
   EXPECT_TRUE(pockets[0].is_pocket);
-  for (const Vec2& p : pockets[0].rim) EXPECT_NEAR(p.y(), 2.075, 0.01);
-  const Vec2 p_stand = drawn.floor.centre(pockets[0].stand);
+  for (const Vec2& p : pockets[0].edge) EXPECT_NEAR(p.y(), 2.075, 0.01);
+  const Vec2 p_stand = drawn.floor.centre(pockets[0].viewpoint);
   EXPECT_LT(p_stand.y(), 2);
   EXPECT_NEAR(pockets[0].path_m, (p_stand - Vec2(1, 1)).norm(), 0.15);
 }
@@ -65,7 +65,7 @@ TEST(Pockets, BehindADoorsLeafALineOfSightAlongTheEdgeIsFound) {
   drawn.put({4.5, 2.05}, {4.55, 4.55}, Floor::kOccupied);
   drawn.put({2, 4.5}, {4.5, 4.55}, Floor::kOccupied);
   ASSERT_EQ(drawn.pockets().size(), 1);
-  EXPECT_LT(drawn.floor.centre(drawn.pockets()[0].stand).y(), 2);
+  EXPECT_LT(drawn.floor.centre(drawn.pockets()[0].viewpoint).y(), 2);
 }
 
 TEST(Pockets, ALongEdgeIsWorthALongerPath) {

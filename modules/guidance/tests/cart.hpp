@@ -13,6 +13,6 @@ inline VehicleDescription cart() {
 }
 
 /// Of the cart, at its front.
-inline constexpr LaserScanner kFan{-90 * kDegree, 1 * kDegree, 30, {0.9, 0, 0}};
+inline constexpr LaserScanner kGeometry{-90 * kDegree, 1 * kDegree, 30, {0.9, 0, 0}};
 
 }  // namespace aisle

@@ -69,7 +69,7 @@ void mark_curved(std::vector<SensedSegment>& segments) {
 
 class RangeSegmenter::Work {
  public:
-  Work(const BeamFan& fan, const SegmentParams& params) : fan_(fan), params_(params) {}
+  Work(const ScanGeometry& geometry, const SegmentParams& params) : geometry_(geometry), params_(params) {}
 
   void extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments) {
     segments.clear();
@@ -97,11 +97,11 @@ class RangeSegmenter::Work {
   std::size_t min_points() const { return static_cast<std::size_t>(params_.points_min); }
 
   void collect_points(std::span<const float> ranges_m) {
-    const double reach_m = std::min(params_.range_max_m, fan_.range_max_m);
+    const double reach_m = std::min(params_.range_max_m, geometry_.range_max_m);
     if (directions_.size() != ranges_m.size()) {
       directions_.resize(ranges_m.size());
       for (std::size_t k = 0; k < directions_.size(); ++k) {
-        directions_[k] = unit(fan_.first_angle_rad + fan_.angle_step_rad * static_cast<double>(k));
+        directions_[k] = unit(geometry_.first_angle_rad + geometry_.angle_step_rad * static_cast<double>(k));
       }
     }
     points_.clear();
@@ -149,7 +149,7 @@ class RangeSegmenter::Work {
   bool belong_together(std::size_t i, std::size_t j) const {
     const std::size_t beams = beams_[j] - beams_[i];
     if (beams > kMissingBeamsMax + 1) return false;
-    const double turn = fan_.angle_step_rad * static_cast<double>(beams);
+    const double turn = geometry_.angle_step_rad * static_cast<double>(beams);
     const double slack = std::max(kGrazing_rad - turn, 2 * kDegree);
     const double reach_m = ranges_[i] * std::sin(turn) / std::sin(slack) + gap_m_;
     return (points_[j] - points_[i]).squaredNorm() <= reach_m * reach_m;
@@ -275,7 +275,7 @@ class RangeSegmenter::Work {
     return adjoins || ranges_[neighbour] > ranges_[point] ? WallEnd::kSeen : WallEnd::kUnknown;
   }
 
-  BeamFan fan_;
+  ScanGeometry geometry_;
   SegmentParams params_;
   std::optional<double> noise_m_;
   double sigma_m_ = params_.range_sigma_m;
@@ -292,8 +292,8 @@ class RangeSegmenter::Work {
   RangeLineFitter fitter_;
 };
 
-RangeSegmenter::RangeSegmenter(const BeamFan& fan, const SegmentParams& params)
-    : work_(std::make_unique<Work>(fan, params)) {}
+RangeSegmenter::RangeSegmenter(const ScanGeometry& geometry, const SegmentParams& params)
+    : work_(std::make_unique<Work>(geometry, params)) {}
 RangeSegmenter::~RangeSegmenter() = default;
 
 void RangeSegmenter::extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments) {

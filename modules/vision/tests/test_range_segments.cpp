@@ -14,14 +14,14 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr BeamFan kFan{-kPi / 2, 0.5 * kDegree, 50};
+constexpr ScanGeometry kGeometry{-kPi / 2, 0.5 * kDegree, 50};
 constexpr std::size_t kBeams = 361;
 
 /// Ranges to the walls of a convex room given as half planes n.p = d around the laser.
 std::vector<float> scan_of(const std::vector<std::pair<double, double>>& normals_and_distances) {
   std::vector<float> ranges_m(kBeams, 0);
   for (std::size_t k = 0; k < kBeams; ++k) {
-    const Vec2 beam = unit(kFan.first_angle_rad + kFan.angle_step_rad * static_cast<double>(k));
+    const Vec2 beam = unit(kGeometry.first_angle_rad + kGeometry.angle_step_rad * static_cast<double>(k));
     double nearest = 100;
     for (const auto& [normal_rad, distance_m] : normals_and_distances) {
       const double along = beam.dot(unit(normal_rad));
@@ -33,7 +33,7 @@ std::vector<float> scan_of(const std::vector<std::pair<double, double>>& normals
 }
 
 std::vector<SensedSegment> extract(const std::vector<float>& ranges_m, const SegmentParams& params = {}) {
-  RangeSegmenter segmenter(kFan, params);
+  RangeSegmenter segmenter(kGeometry, params);
   std::vector<SensedSegment> segments;
   segmenter.extract(ranges_m, segments);
   return segments;
@@ -62,7 +62,7 @@ TEST(RangeSegments, CornersAreTrueEndsAndTheEdgeOfTheViewIsNot) {
 TEST(RangeSegments, AWallBehindANearerOneEndsOnlyWhereSightEnds) {
   std::vector<float> ranges_m = scan_of({{0, 6}});
   for (std::size_t k = 0; k < kBeams; ++k) {  // a board 1 m wide, 2 m ahead, hides the middle
-    const double angle = kFan.first_angle_rad + kFan.angle_step_rad * static_cast<double>(k);
+    const double angle = kGeometry.first_angle_rad + kGeometry.angle_step_rad * static_cast<double>(k);
     if (std::abs(std::tan(angle)) < 0.25 && std::abs(angle) < 1)
       ranges_m[k] = static_cast<float>(2 / std::cos(angle));
     if (ranges_m[k] > 12) ranges_m[k] = 0;

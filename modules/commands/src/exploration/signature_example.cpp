@@ -1,6 +1,6 @@
 #include "exploration/signature_example.hpp"
 
-#include "aisle/learning/walls/beam_fan.hpp"
+#include "aisle/learning/walls/scan_geometry.hpp"
 
 namespace aisle {
 namespace {
@@ -42,7 +42,7 @@ double displacement_m(const Signature& sensed, Signature learned) {
 
 SignatureExample signature_example(const LaserLog& log, const std::vector<Pose2>& T_map_vehicle,
                                    const WallMap& walls, const SegmentParams& segments) {
-  RangeSegmenter segmenter(beam_fan(log.laser), segments);
+  RangeSegmenter segmenter(scan_geometry(log.laser), segments);
   std::vector<Segment2> view;
   Vec2 p_map_seen_from = Vec2::Zero();
   std::vector<SensedSegment> seen;

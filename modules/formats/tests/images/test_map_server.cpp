@@ -83,7 +83,7 @@ TEST(MapServerYaml, EveryProblemIsNamedWithItsLineAndKey) {
             "map.yaml:3: origin: is not [x, y, rotation]\n"
             "map.yaml:4: negate: '2' is not 0 or 1");
   EXPECT_EQ(why(parse_map_server_yaml("image: a.pgm\nresolution: 0.05\n", "m")), "m:1: origin: is missing");
-  EXPECT_THAT(why(parse_map_server_yaml("- 1\n", "m")), testing::HasSubstr("is no map"));
+  EXPECT_THAT(why(parse_map_server_yaml("- 1\n", "m")), testing::HasSubstr("is not a map"));
   EXPECT_THAT(why(parse_map_server_yaml("a: [", "m")), testing::HasSubstr("is not YAML"));
 }
 

@@ -224,7 +224,7 @@ INSTANTIATE_TEST_SUITE_P(
                "has 2 readings, the first scan (line 1) has 3"},
         BadLog{"OtherBeamAngles",
                odom(1, 1) + rawlaser(1) + "RAWLASER1 0 -1.0 2.0 0.5 10.0 0.01 0 3 1 2 3 0 2 host 1\n",
-               "other beam angles"},
+               "different beam angles"},
         BadLog{"NegativeReading", flaser(1, "1 -2 3"), "field 4, reading: '-2' is negative"},
         BadLog{"NanReading", flaser(1, "1 nan 3"), "'nan' is not a usable number"},
         BadLog{"WordForAReading", flaser(1, "1 x 3"), "'x' is not a number"},

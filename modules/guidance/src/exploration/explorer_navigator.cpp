@@ -71,7 +71,7 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   stamp_s_ = observation.stamp_s;
   if (!begun_s_) begun_s_ = moved_s_ = stamp_s_;
   const FloorLearner::News news = learner_.take(observation);
-  driver_.see(learner_.sensor().fan(), learner_.view().ranges_m);
+  driver_.see(learner_.sensor().scanner(), learner_.view().ranges_m);
   mark_coverage();
   if (has_new_contact(observation)) return back_off(observation);
   note_contact();

@@ -38,11 +38,11 @@ FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescri
     : params_(params),
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
-      mapping_(params.mapping, sensor_->fan()),
+      mapping_(params.mapping, sensor_->scanner()),
       floor_(params.cell_m),
       clearance_(params.legs),
       cell_m_(params.cell_m) {
-  log_.laser = sensor_->fan();
+  log_.laser = sensor_->scanner();
 }
 
 FloorLearner::News FloorLearner::take(const Observation& observation) {
@@ -107,19 +107,19 @@ bool FloorLearner::is_time_to_look() const {
 
 /// Not every scan hits a thin obstacle, so one that does must not be skipped.
 bool FloorLearner::hits_something_new() const {
-  const LaserScanner& fan = sensor_->fan();
-  const Pose2 T_map_laser = T_map_vehicle_ * fan.T_vehicle_laser;
+  const LaserScanner& scanner = sensor_->scanner();
+  const Pose2 T_map_laser = T_map_vehicle_ * scanner.T_vehicle_laser;
   for (std::size_t beam = 0; beam < view_.ranges_m.size(); ++beam) {
     const double range_m = view_.ranges_m[beam];
     if (!(range_m > 0 && range_m < kNearBy_m)) continue;
-    const FloorCell cell = floor_.cell_at(Vec2(T_map_laser * Vec2(range_m * unit(fan.beam_angle(beam)))));
+    const FloorCell cell = floor_.cell_at(Vec2(T_map_laser * Vec2(range_m * unit(scanner.beam_angle(beam)))));
     if (floor_.at(cell) == Floor::kFree && clearance_.to_occupied_m(cell) > kApart_m) return true;
   }
   return false;
 }
 
 FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const {
-  FloorBox changed = see_floor(floor, sensor_->fan(), log_.scans[look.scan_index].ranges_m, look.near_m,
+  FloorBox changed = see_floor(floor, sensor_->scanner(), log_.scans[look.scan_index].ranges_m, look.near_m,
                                T_map_vehicle, params_.view);
   const FloorBox stood =
       stand_on_floor(floor, look.scan_index == 0 ? initial_free_area() : vehicle_.footprint, T_map_vehicle);
@@ -139,7 +139,7 @@ Footprint FloorLearner::initial_free_area() const {
   area.rear_m += kInitialBeside_m;
   area.width_m += 2 * kInitialBeside_m;
   const std::vector<float>& near_m = looks_.front().near_m;
-  if (!near_m.empty()) area.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2];
+  if (!near_m.empty()) area.front_m = sensor_->scanner().T_vehicle_laser.x + near_m[near_m.size() / 2];
   area.front_m += kInitialAhead_m;
   return area;
 }

@@ -6,8 +6,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kFanEdge_rad = 3 * kDegree;  // the outermost beams are not relied on
-constexpr double kClearanceCells = 1.5;       // before a frontier's edge, where the unknown begins
+constexpr double kScanEdge_rad = 3 * kDegree;  // the outermost beams are not relied on
+constexpr double kClearanceCells = 1.5;        // before a frontier's edge, where the unknown begins
 constexpr double kCornerCells = 1;  // a point's clearance is at most this much less than its cell centre's
 
 /// Whether the line of sight crosses neither obstacles nor unknown floor. Just before a pocket's edge the
@@ -32,11 +32,12 @@ bool is_clear(const FloorGrid& floor, const FloorClearance& clearance, const Vec
 }
 
 /// The point lies beyond the beam's blind zone.
-bool shows_beam(const FrontierLook& look, const Pose2& T_map_fan, const Vec2& towards, double distance_m) {
+bool shows_beam(const FrontierLook& look, const Pose2& T_map_scanner, const Vec2& towards,
+                double distance_m) {
   if (look.near_m.empty()) return true;
-  const double angle_rad = wrap_angle(heading_of(towards) - T_map_fan.theta);
+  const double angle_rad = wrap_angle(heading_of(towards) - T_map_scanner.theta);
   const auto beam =
-      static_cast<std::size_t>((angle_rad - look.fan.first_angle_rad) / look.fan.angle_step_rad);
+      static_cast<std::size_t>((angle_rad - look.scanner.first_angle_rad) / look.scanner.angle_step_rad);
   return beam >= look.near_m.size() || distance_m >= look.near_m[beam];
 }
 
@@ -44,18 +45,19 @@ bool shows_beam(const FrontierLook& look, const Pose2& T_map_fan, const Vec2& to
 
 bool sees_frontier(const FrontierLook& look, const FloorGrid& floor, const FloorClearance& clearance,
                    const Pose2& T_map_vehicle, const Frontier& frontier, std::size_t enough) {
-  const Pose2 T_map_fan = T_map_vehicle * look.fan.T_vehicle_laser;
-  const Vec2 ahead = unit(T_map_fan.theta);
-  const double cosine_least = std::cos(look.fan.first_angle_rad + kFanEdge_rad);
-  std::size_t seen = 0, left = frontier.rim.size();
-  for (const Vec2& p_map : frontier.rim) {
+  const Pose2 T_map_scanner = T_map_vehicle * look.scanner.T_vehicle_laser;
+  const Vec2 ahead = unit(T_map_scanner.theta);
+  const double cosine_least = std::cos(look.scanner.first_angle_rad + kScanEdge_rad);
+  std::size_t seen = 0, left = frontier.edge.size();
+  for (const Vec2& p_map : frontier.edge) {
     if (seen + left-- < enough) return false;
-    const Vec2 towards = p_map - T_map_fan.position();
+    const Vec2 towards = p_map - T_map_scanner.position();
     const double distance_m = towards.norm();
     const bool is_in_fan = ahead.dot(towards) >= cosine_least * distance_m;
-    if (distance_m > look.reach_m || !is_in_fan || !shows_beam(look, T_map_fan, towards, distance_m))
+    if (distance_m > look.reach_m || !is_in_fan || !shows_beam(look, T_map_scanner, towards, distance_m))
       continue;
-    if (!is_clear(floor, clearance, T_map_fan.position(), towards, distance_m, frontier.is_pocket)) continue;
+    if (!is_clear(floor, clearance, T_map_scanner.position(), towards, distance_m, frontier.is_pocket))
+      continue;
     if (++seen >= enough) return true;
   }
   return false;

@@ -53,7 +53,7 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
     : params_(params),
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
-      localiser_(params.localiser, sensor_->fan(), building.walls, about_start(T_map_start, params)),
+      localiser_(params.localiser, sensor_->scanner(), building.walls, about_start(T_map_start, params)),
       has_barriers_(!building.barriers.empty()),
       floor_(floor_of(building)),
       clearance_(params.legs),
@@ -93,7 +93,7 @@ void GuideNavigator::look_at_floor(double stamp_s) {
   looked_s_ = stamp_s;
   T_map_looked_ = T_map_vehicle_;
   FloorBox changed =
-      see_floor(floor_, sensor_->fan(), view_.ranges_m, view_.near_m, T_map_vehicle_, params_.view);
+      see_floor(floor_, sensor_->scanner(), view_.ranges_m, view_.near_m, T_map_vehicle_, params_.view);
   changed.include_box(stand_on_floor(floor_, vehicle_.footprint, T_map_vehicle_));
   clearance_.update(floor_, changed);
 }
@@ -164,7 +164,7 @@ void GuideNavigator::search_path(double stamp_s) {
 }
 
 Decision GuideNavigator::drive(const Observation& observation) {
-  driver_.see(sensor_->fan(), view_.ranges_m);
+  driver_.see(sensor_->scanner(), view_.ranges_m);
   const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
                                               T_map_vehicle_, steering_rad_of(observation.odometry));
   const bool drives =

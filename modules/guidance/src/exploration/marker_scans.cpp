@@ -2,12 +2,12 @@
 #include <stdexcept>
 
 #include "aisle/guidance/exploration/scan_source.hpp"
-#include "aisle/vision/stripes/stripe_fan.hpp"
+#include "aisle/vision/stripes/stripe_scan.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr StripeFanParams kStripeParams;
+constexpr StripeScanParams kStripeParams;
 
 const CameraDescription& marker_camera(const VehicleDescription& vehicle, const std::string& name) {
   if (!vehicle.laser_markers) throw std::invalid_argument("the vehicle has no laser markers");
@@ -25,14 +25,14 @@ class MarkerScans final : public ScanSource {
         stripe_(kStripeParams, camera.intrinsics, camera.mount, camera.width_px, camera.height_px,
                 vehicle.laser_markers->height_m) {
     const Vec3& p_vehicle_lens = camera.mount.p_vehicle_camera;
-    fan_ = {.first_angle_rad = stripe_.first_angle_rad(),
-            .angle_step_rad = StripeFan::angle_step_rad(),
-            .range_max_m = kStripeParams.sure_reach_m,
-            .T_vehicle_laser = {p_vehicle_lens.x(), p_vehicle_lens.y(), camera.mount.pan_rad}};
-    for (const StripeFan::Beam& beam : stripe_.beams()) near_m_.push_back(beam.near_m);
+    scanner_ = {.first_angle_rad = stripe_.first_angle_rad(),
+                .angle_step_rad = StripeScan::angle_step_rad(),
+                .range_max_m = kStripeParams.sure_reach_m,
+                .T_vehicle_laser = {p_vehicle_lens.x(), p_vehicle_lens.y(), camera.mount.pan_rad}};
+    for (const StripeScan::Beam& beam : stripe_.beams()) near_m_.push_back(beam.near_m);
   }
 
-  const LaserScanner& fan() const override { return fan_; }
+  const LaserScanner& scanner() const override { return scanner_; }
 
   bool look(const Observation& observation, ScanView& view) override {
     const CameraImage* image = present_image(observation, camera_.name, cycle_s_);
@@ -40,13 +40,13 @@ class MarkerScans final : public ScanSource {
     stripe_.find(as_grey(*image->pixels, grey_));
     view.near_m = near_m_;
     view.ranges_m.clear();
-    for (const StripeFan::Beam& beam : stripe_.beams()) view.ranges_m.push_back(range_m(beam));
+    for (const StripeScan::Beam& beam : stripe_.beams()) view.ranges_m.push_back(range_m(beam));
     return true;
   }
 
  private:
   /// A beam without light is free as far as it lies in the image, provided that light could be seen at all.
-  float range_m(const StripeFan::Beam& beam) const {
+  float range_m(const StripeScan::Beam& beam) const {
     if (!stripe_.sees_light() || beam.may_be_shut) return 0;
     if (beam.range_m > 0) return std::min(beam.range_m, static_cast<float>(kStripeParams.sure_reach_m));
     return beam.far_m >= kStripeParams.sure_reach_m ? static_cast<float>(kStripeParams.sure_reach_m) : 0;
@@ -54,8 +54,8 @@ class MarkerScans final : public ScanSource {
 
   CameraDescription camera_;
   double cycle_s_;
-  StripeFan stripe_;
-  LaserScanner fan_;
+  StripeScan stripe_;
+  LaserScanner scanner_;
   std::vector<float> near_m_;
   Image grey_;  ///< of coloured images
 };

@@ -18,7 +18,7 @@ void RetryBudgetParams::describe(FieldList& fields) {
   fields.real("time_s_per_m", time_s_per_m, {0, 100}, "more for each metre of path to it");
   fields.real("path_m", path_m, {1, 1000}, "driven for a target without learning anything new");
   fields.real("path_factor", path_factor, {1, 100}, "more for each metre of path to it");
-  fields.count("hitches", hitches, {1, 100}, "paths that may fail on one spot");
+  fields.count("planning_failures", planning_failures, {1, 100}, "paths that may fail on one spot");
 }
 
 void RetryBudget::renew(double stamp_s, double path_m, double target_m) {
@@ -40,7 +40,7 @@ void RetryBudget::count_failure(const Pose2& T_map_vehicle) {
 }
 
 bool RetryBudget::is_over(double stamp_s, double path_m) const {
-  return stamp_s > until_s_ || path_m > until_m_ || failures_ > params_.hitches;
+  return stamp_s > until_s_ || path_m > until_m_ || failures_ > params_.planning_failures;
 }
 
 }  // namespace aisle

@@ -9,7 +9,7 @@ class ScannerScans final : public ScanSource {
  public:
   explicit ScannerScans(const LaserScanner& scanner) : scanner_(scanner) {}
 
-  const LaserScanner& fan() const override { return scanner_; }
+  const LaserScanner& scanner() const override { return scanner_; }
   bool look(const Observation& observation, ScanView& view) override {
     if (!observation.scan) return false;
     view.ranges_m = observation.scan->ranges_m;

@@ -35,19 +35,19 @@ void TargetSearch::look_into_frontier(const Pose2& T_map_from, const TargetTries
   const double reach_m = look_from_m(tries);
   const bool one_point_is_enough = tries.failures > 0;
   const auto shows_frontier = [this, reach_m, one_point_is_enough](const Pose2& T_map) {
-    const FrontierLook look{learner_.sensor().fan(), learner_.view().near_m, reach_m};
-    const std::size_t enough = one_point_is_enough ? 1 : (frontier_.rim.size() + 3) / 4;
+    const FrontierLook look{learner_.sensor().scanner(), learner_.view().near_m, reach_m};
+    const std::size_t enough = one_point_is_enough ? 1 : (frontier_.edge.size() + 3) / 4;
     return sees_frontier(look, learner_.floor(), learner_.clearance(), T_map, frontier_, enough);
   };
   search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
-                   frontier_.is_pocket ? learner_.floor().centre(frontier_.stand) : frontier_.p_map,
+                   frontier_.is_pocket ? learner_.floor().centre(frontier_.viewpoint) : frontier_.p_map,
                    frontier_.is_pocket ? kAboutStand_m : reach_m + front_m_, shows_frontier);
 }
 
 /// All poses that see a part of the frontier's edge lie around it.
 void TargetSearch::search_from_ends_too(const TargetTries& tries) {
   FloorBox places;
-  for (const Vec2& p_map : frontier_.rim) places.include(learner_.floor().cell_at(p_map));
+  for (const Vec2& p_map : frontier_.edge) places.include(learner_.floor().cell_at(p_map));
   const double beside_m = look_from_m(tries) + front_m_;
   search_.search_from_ends_too(
       places.widened(static_cast<int>(std::ceil(beside_m / learner_.floor().cell_m()))));

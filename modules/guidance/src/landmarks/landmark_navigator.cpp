@@ -208,7 +208,7 @@ void LandmarkNavigator::locate(const Observation& observation) {
 void LandmarkNavigator::check_for_kidnapping() {
   const bool fits = match_ == LandmarkMatch::kMatched;
   const bool is_known_here = fits && knows_what_it_sees(localiser_);
-  if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_kidnapped_ = has_jumped_ = true;
+  if (stripes_.look(guard_.p_vehicle_returns(), is_known_here)) was_kidnapped_ = has_jumped_ = true;
   if (scenes_.look(sightings_, is_known_here)) was_kidnapped_ = true;
   if (state_ == State::kFollowing &&
       expectations_.look(expected_landmarks(building_->landmarks, fix().T_map_vehicle, sightings_,

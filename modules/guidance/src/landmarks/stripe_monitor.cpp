@@ -24,8 +24,8 @@ double lit_share(std::span<const Vec2> image, std::span<const Vec2> other) {
   return static_cast<double>(same) / static_cast<double>(compared);
 }
 
-void carry_lit(std::vector<Vec2>& p_vehicle_lit, const Pose2& T_now_before) {
-  for (Vec2& p : p_vehicle_lit) p = T_now_before * p;
+void carry_lit(std::vector<Vec2>& p_vehicle_returns, const Pose2& T_now_before) {
+  for (Vec2& p : p_vehicle_returns) p = T_now_before * p;
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ void StripeMonitor::move(const Pose2& T_before_now) {
   jump_.move(T_before_now, carry_lit);
 }
 
-bool StripeMonitor::look(std::span<const Vec2> p_vehicle_lit, bool is_known_here) {
-  return jump_.look(p_vehicle_lit, is_known_here, kWalls, lit_share);
+bool StripeMonitor::look(std::span<const Vec2> p_vehicle_returns, bool is_known_here) {
+  return jump_.look(p_vehicle_returns, is_known_here, kWalls, lit_share);
 }
 
 }  // namespace aisle

@@ -72,8 +72,8 @@ ObstacleGuard::StampedPose ObstacleGuard::taken_at(double stamp_s) const {
 void ObstacleGuard::read_stripe(const CameraImage& image) {
   sight_.taken = taken_at(image.stamp_s);
   stripe_->find(as_grey(*image.pixels, grey_));
-  sight_.p_vehicle_lit.clear();
-  stripe_->append_lit(sight_.p_vehicle_lit);
+  sight_.p_vehicle_returns.clear();
+  stripe_->append_lit(sight_.p_vehicle_returns);
   sight_.is_new = true;
   if (!lit_s_ || stripe_->sees_light()) lit_s_ = image.stamp_s;
 }
@@ -122,11 +122,11 @@ Guarded ObstacleGuard::allow(const Command& requested, const PathAhead& path) {
 void ObstacleGuard::remember_what_is_on(const PathAhead& path) {
   if (!std::exchange(sight_.is_new, false)) return;
   const Pose2 T_now_taken = between(now_.T_odom_vehicle, sight_.taken.T_odom_vehicle);
-  p_vehicle_lit_on_path_ = sight_.p_vehicle_lit;
-  std::erase_if(p_vehicle_lit_on_path_, [&](const Vec2& p_vehicle) {
+  p_vehicle_returns_on_path_ = sight_.p_vehicle_returns;
+  std::erase_if(p_vehicle_returns_on_path_, [&](const Vec2& p_vehicle) {
     return !path_to(T_now_taken * p_vehicle, path, vehicle_.footprint, params_.margin_m);
   });
-  memory_.see(p_vehicle_lit_on_path_, *stripe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
+  memory_.see(p_vehicle_returns_on_path_, *stripe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
 }
 
 void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {

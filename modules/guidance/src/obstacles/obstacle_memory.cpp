@@ -21,13 +21,13 @@ ObstacleMemory::ObstacleMemory(const ObstacleMemoryParams& params) : params_(par
   p_vehicle_.reserve(kPlacesMax);
 }
 
-void ObstacleMemory::see(const std::vector<Vec2>& p_vehicle_lit, const StripeFan& stripe,
+void ObstacleMemory::see(const std::vector<Vec2>& p_vehicle_returns, const StripeScan& stripe,
                          const Pose2& T_odom_vehicle, double stamp_s) {
   const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
   for (Place& place : places_) {
     place.free_sightings = stripe.is_free(T_vehicle_odom * place.p_odom) ? place.free_sightings + 1 : 0;
   }
-  for (const Vec2& p_vehicle : p_vehicle_lit) remember(T_odom_vehicle * p_vehicle, stamp_s);
+  for (const Vec2& p_vehicle : p_vehicle_returns) remember(T_odom_vehicle * p_vehicle, stamp_s);
   std::erase_if(places_, [&](const Place& place) {
     const bool is_unsure = place.sightings < params_.sightings_min && place.seen_s < stamp_s;
     return is_unsure || place.free_sightings >= params_.free_sightings ||

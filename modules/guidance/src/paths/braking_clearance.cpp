@@ -31,12 +31,12 @@ class FromLater {
 BrakingClearance::BrakingClearance(const VehicleDescription& vehicle, double margin_m)
     : vehicle_(vehicle), footprint_clearance_(vehicle.footprint, margin_m) {}
 
-void BrakingClearance::see(const LaserScanner& fan, std::span<const float> ranges_m) {
+void BrakingClearance::see(const LaserScanner& scanner, std::span<const float> ranges_m) {
   p_vehicle_hit_.clear();
   for (std::size_t beam = 0; beam < ranges_m.size(); ++beam) {
     const double range_m = ranges_m[beam];
-    if (!(range_m > 0) || range_m >= fan.range_max_m) continue;
-    const Vec2 p_vehicle = fan.T_vehicle_laser * Vec2(range_m * unit(fan.beam_angle(beam)));
+    if (!(range_m > 0) || range_m >= scanner.range_max_m) continue;
+    const Vec2 p_vehicle = scanner.T_vehicle_laser * Vec2(range_m * unit(scanner.beam_angle(beam)));
     if (off_footprint_m(vehicle_.footprint, p_vehicle) < kHitMatters_m) p_vehicle_hit_.push_back(p_vehicle);
   }
   hit_now_m_ = hit_m({});

@@ -25,7 +25,7 @@ class StandingCart {
     Observation observation{.stamp_s = stamp_s_ += 0.1};
     std::vector<float> ranges_m(kBeams);
     for (std::size_t beam = 0; beam < kBeams; ++beam) {
-      const Vec2 along = unit(kFan.beam_angle(beam));
+      const Vec2 along = unit(kGeometry.beam_angle(beam));
       double range_m = 4 / along.cwiseAbs().maxCoeff();
       for (const Vec2& p_laser : p_laser_thin) {
         const bool is_hit = std::abs(left_normal(along).dot(p_laser)) < kThinRadius_m;
@@ -50,17 +50,19 @@ class StandingCart {
  private:
   static VehicleDescription scanning_cart() {
     VehicleDescription vehicle = cart();
-    vehicle.scanner = kFan;
+    vehicle.scanner = kGeometry;
     return vehicle;
   }
 
-  Vec2 in_map(const Vec2& p_laser) const { return learner_.T_map_vehicle() * kFan.T_vehicle_laser * p_laser; }
+  Vec2 in_map(const Vec2& p_laser) const {
+    return learner_.T_map_vehicle() * kGeometry.T_vehicle_laser * p_laser;
+  }
 
   double stamp_s_ = 0;
   FloorLearner learner_;
 };
 
-const Vec2 kThin = 1.5 * unit(kFan.beam_angle(60));
+const Vec2 kThin = 1.5 * unit(kGeometry.beam_angle(60));
 
 TEST(FloorLearner, WhileItStandsItUpdatesTheFloorOnceInManyCycles) {
   StandingCart cart;

@@ -13,12 +13,12 @@ namespace {
 class FrontierView : public testing::Test {
  protected:
   FrontierView() : known_({{Vec2(0, 0), Vec2(6, 4)}, {Vec2(6, 2), Vec2(10, 4)}}) {
-    for (int i = 0; i < 8; ++i) frontier_.rim.emplace_back(9.9, 2.2 + 0.2 * i);
+    for (int i = 0; i < 8; ++i) frontier_.edge.emplace_back(9.9, 2.2 + 0.2 * i);
   }
 
   bool sees(const Pose2& T_map_vehicle, double reach_m = 5, std::span<const float> near_m = {}) const {
-    return sees_frontier({kFan, near_m, reach_m}, known_.floor, known_.clearance, T_map_vehicle, frontier_,
-                         4);
+    return sees_frontier({kGeometry, near_m, reach_m}, known_.floor, known_.clearance, T_map_vehicle,
+                         frontier_, 4);
   }
 
   KnownFloor known_;
@@ -45,7 +45,7 @@ TEST_F(FrontierView, SeesNothingInTheBeamsBlindZone) {
 }
 
 TEST_F(FrontierView, LooksIntoAPocketAcrossItsEdgeNotAlongIt) {
-  frontier_.rim.assign(4, Vec2(5, 4.175));
+  frontier_.edge.assign(4, Vec2(5, 4.175));
   EXPECT_FALSE(sees({3, 3, 0})) << "unknown floor lies before it";
   frontier_.is_pocket = true;
   EXPECT_TRUE(sees({3, 3, 0}));
@@ -66,11 +66,11 @@ RC_GTEST_PROP(FrontierViewInStrides, SeesTheSameAsStepByStep, (std::uint64_t see
   for (int i = 0; i < 200; ++i) {
     Frontier frontier;
     frontier.is_pocket = random.uniform() < 0.5;
-    frontier.rim = {place()};
+    frontier.edge = {place()};
     const Vec2 p_map = place();
     const Pose2 T_map_vehicle{p_map.x(), p_map.y(), 2 * kPi * random.uniform()};
     const auto sees = [&](const FloorClearance& clearance) {
-      return sees_frontier({kFan, {}, 6}, known.floor, clearance, T_map_vehicle, frontier, 1);
+      return sees_frontier({kGeometry, {}, 6}, known.floor, clearance, T_map_vehicle, frontier, 1);
     };
     RC_ASSERT(sees(known.clearance) == sees(FloorClearance()));
   }

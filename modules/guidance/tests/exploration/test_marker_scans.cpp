@@ -37,7 +37,8 @@ Observation sees_light(double ahead_m, double right_m, double left_m) {
 }
 
 float range_at(const ScanSource& sensor, const ScanView& view, double angle_deg) {
-  const double beam = (angle_deg * kDegree - sensor.fan().first_angle_rad) / sensor.fan().angle_step_rad;
+  const double beam =
+      (angle_deg * kDegree - sensor.scanner().first_angle_rad) / sensor.scanner().angle_step_rad;
   return view.ranges_m.at(static_cast<std::size_t>(std::lround(beam)));
 }
 
@@ -45,7 +46,7 @@ TEST(MarkerScans, AreRangesAboutThePointBelowTheLens) {
   const auto sensor = marker_scans(lit_cart(), "corridor");
   ScanView view;
   ASSERT_TRUE(sensor->look(sees_light(2.85, -0.5, 0.5), view));
-  EXPECT_NEAR(sensor->fan().T_vehicle_laser.x, 0.85, 1e-9);
+  EXPECT_NEAR(sensor->scanner().T_vehicle_laser.x, 0.85, 1e-9);
   EXPECT_NEAR(range_at(*sensor, view, 0), 2, 0.01);
   EXPECT_NEAR(range_at(*sensor, view, 10), 2 / std::cos(10 * kDegree), 0.01);
   EXPECT_EQ(view.near_m.size(), view.ranges_m.size());
@@ -55,7 +56,7 @@ TEST(MarkerScans, ABeamWithoutLightIsFreeAsFarAsLightWouldBeSeen) {
   const auto sensor = marker_scans(lit_cart(), "corridor");
   ScanView view;
   ASSERT_TRUE(sensor->look(sees_light(2.85, -0.5, 0.5), view));
-  EXPECT_FLOAT_EQ(range_at(*sensor, view, 25), static_cast<float>(sensor->fan().range_max_m));
+  EXPECT_FLOAT_EQ(range_at(*sensor, view, 25), static_cast<float>(sensor->scanner().range_max_m));
 }
 
 TEST(MarkerScans, ShowNothingWithoutAnyLaserLight) {

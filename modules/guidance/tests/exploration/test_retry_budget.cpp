@@ -6,7 +6,8 @@ namespace aisle {
 namespace {
 
 RetryBudget renewed() {
-  RetryBudget retry_budget({.time_s = 60, .time_s_per_m = 5, .path_m = 10, .path_factor = 2, .hitches = 2});
+  RetryBudget retry_budget(
+      {.time_s = 60, .time_s_per_m = 5, .path_m = 10, .path_factor = 2, .planning_failures = 2});
   retry_budget.renew(100, 50, 4);
   return retry_budget;
 }

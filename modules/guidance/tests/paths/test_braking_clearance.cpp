@@ -10,7 +10,7 @@ const KnownFloor kHall({{Vec2(0, 0), Vec2(10, 4)}});
 
 BrakingClearance braking_seeing(const std::vector<float>& ranges_m) {
   BrakingClearance braking(cart(), 0.02);
-  braking.see(kFan, ranges_m);
+  braking.see(kGeometry, ranges_m);
   return braking;
 }
 

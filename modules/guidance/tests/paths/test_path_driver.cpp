@@ -84,7 +84,7 @@ TEST_F(PathDriving, IsBlockedByPresentLaserReturns) {
   std::vector<float> ranges_m(181, 20);
   ranges_m[90] = 0.1F;
   driver_.take(path_of({{4, 0}}, T_map_vehicle_));
-  driver_.see(kFan, ranges_m);
+  driver_.see(kGeometry, ranges_m);
   const PathDriver::Step step = cycle();
   EXPECT_EQ(step.state, PathDriver::State::kBlocked);
   EXPECT_EQ(step.direction, 1);

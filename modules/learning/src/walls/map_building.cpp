@@ -5,8 +5,8 @@
 #include <ctime>
 
 #include "aisle/geometry/dominant_direction.hpp"
-#include "aisle/learning/walls/beam_fan.hpp"
 #include "aisle/learning/walls/odometry_delay.hpp"
+#include "aisle/learning/walls/scan_geometry.hpp"
 #include "walls/scan_mapping.hpp"
 #include "walls/wall_adjustment.hpp"
 
@@ -32,7 +32,7 @@ class MapBuilder {
         given_delay_s_(odometry_delay_s),
         odometry_(log.odometry),
         delay_(odometry_, log.scan_period_s()),
-        segmenter_(beam_fan(log.laser), params.segments),
+        segmenter_(scan_geometry(log.laser), params.segments),
         mapping_(params) {}
 
   void take_scan(std::size_t scan) {

@@ -1,6 +1,6 @@
 #include "aisle/learning/walls/online_mapping.hpp"
 
-#include "aisle/learning/walls/beam_fan.hpp"
+#include "aisle/learning/walls/scan_geometry.hpp"
 #include "walls/scan_mapping.hpp"
 
 namespace aisle {
@@ -9,7 +9,7 @@ class OnlineMapping::Work {
  public:
   Work(const MapParams& params, const LaserScanner& laser)
       : T_vehicle_laser(laser.T_vehicle_laser),
-        segmenter(beam_fan(laser), params.segments),
+        segmenter(scan_geometry(laser), params.segments),
         mapping(params) {}
 
   Pose2 T_vehicle_laser;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "aisle/geometry/dominant_direction.hpp"
-#include "aisle/learning/walls/beam_fan.hpp"
+#include "aisle/learning/walls/scan_geometry.hpp"
 #include "aisle/learning/walls/wall_heading.hpp"
 #include "aisle/matching/wall_estimate.hpp"
 #include "aisle/vehicle/odometry_track.hpp"
@@ -33,7 +33,7 @@ class PublishedMapper {
         params_(params),
         delay_s_(delay_s),
         odometry_(log.odometry),
-        segmenter_(beam_fan(log.laser), segments),
+        segmenter_(scan_geometry(log.laser), segments),
         correlator_(params.signature) {}
 
   void take_scan(std::size_t scan) {
@@ -177,7 +177,7 @@ class PublishedMapper {
 
 std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments,
                                   double odometry_delay_s) {
-  RangeSegmenter segmenter(beam_fan(log.laser), segments);
+  RangeSegmenter segmenter(scan_geometry(log.laser), segments);
   std::vector<SensedSegment> seen;
   segmenter.extract(log.scans.front().ranges_m, seen);
   const auto frame = dominant_direction(seen);

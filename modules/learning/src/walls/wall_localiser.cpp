@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "aisle/core/square.hpp"
-#include "aisle/learning/walls/beam_fan.hpp"
+#include "aisle/learning/walls/scan_geometry.hpp"
 
 namespace aisle {
 namespace {
@@ -48,7 +48,7 @@ WallLocaliser::WallLocaliser(const WallLocaliserParams& params, const LaserScann
                              const WallMap& walls, const UncertainPose2& T_map_vehicle)
     : params_(params),
       T_vehicle_laser_(laser.T_vehicle_laser),
-      segmenter_(beam_fan(laser), params.segments),
+      segmenter_(scan_geometry(laser), params.segments),
       aligner_(has_axes(walls) ? AlignmentParams{} : AlignmentParams::without_axes()),
       T_map_vehicle_(T_map_vehicle) {
   for (const Wall& wall : walls.walls) {

@@ -20,11 +20,11 @@ constexpr double kLeavesView_m = 0.15;      // a return this near to the lower e
 constexpr std::size_t kEndPoints = 5;       // ... in the direction of this many returns
 
 /// How many of the first laser returns, from right to left, are of one obstacle.
-std::size_t points_of_one_thing(std::span<const Vec2> p_vehicle_lit) {
+std::size_t points_of_one_thing(std::span<const Vec2> p_vehicle_returns) {
   std::size_t count = 1;
-  while (count < p_vehicle_lit.size() &&
-         (p_vehicle_lit[count] - p_vehicle_lit[count - 1]).norm() <= kThingGap_m &&
-         (p_vehicle_lit[count] - p_vehicle_lit[0]).norm() <= kThingLength_m)
+  while (count < p_vehicle_returns.size() &&
+         (p_vehicle_returns[count] - p_vehicle_returns[count - 1]).norm() <= kThingGap_m &&
+         (p_vehicle_returns[count] - p_vehicle_returns[0]).norm() <= kThingLength_m)
     ++count;
   return count;
 }
@@ -184,10 +184,10 @@ void RouteView::take_out_lit(const Image& image, Image& mask) {
 /// A piece whose floor edge is out of view is taken to be of one obstacle with the piece beside it.
 void RouteView::find_lit_pieces(const Image& grey) {
   stripe_->find(grey);
-  p_vehicle_lit_.clear();
-  stripe_->append_lit(p_vehicle_lit_);
+  p_vehicle_returns_.clear();
+  stripe_->append_lit(p_vehicle_returns_);
   lit_pieces_.clear();
-  for (std::span<const Vec2> rest(p_vehicle_lit_); !rest.empty();) {
+  for (std::span<const Vec2> rest(p_vehicle_returns_); !rest.empty();) {
     const std::span<const Vec2> piece = rest.first(points_of_one_thing(rest));
     const bool goes_on = !lit_pieces_.empty() && &lit_pieces_.back().p_vehicle.back() == piece.data();
     if (piece.size() > 1) lit_pieces_.push_back({piece, goes_on, has_floor_edge(grey, piece)});

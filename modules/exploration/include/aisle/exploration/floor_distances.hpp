@@ -14,10 +14,11 @@ class FloorDistances {
  public:
   static constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
-  /// @param room_m  > 0, clearance that the vehicle's centre needs. A vehicle that is not round may start
+  /// @param clearance_m  > 0, clearance that the vehicle's centre needs. A vehicle that is not round may
+  /// start
   ///                with less: within `leeway_m` of the start it is not required.
-  void measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m, double room_m,
-               double leeway_m);
+  void measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m,
+               double clearance_m, double leeway_m);
 
   /// [m]; kUnreached where no path is known.
   float to(FloorCell cell) const {

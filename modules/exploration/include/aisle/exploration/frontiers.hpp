@@ -10,7 +10,7 @@
 namespace aisle {
 
 struct FrontierParams {
-  double room_m = 0.32;       ///< clearance from the vehicle's centre line to anything that is not free floor
+  double clearance_m = 0.32;  ///< clearance from the vehicle's centre line to anything that is not free floor
   double uncertain_m = 0.05;  ///< beyond this extra clearance from obstacles there may be floor
   double area_min_m2 = 0.05;  ///< least floor behind a frontier
   double cluster_gap_m = 0.15;
@@ -21,16 +21,16 @@ struct FrontierParams {
 /// Where floor that the vehicle can surely drive on meets floor that it may be able to drive on: a path that
 /// leads on (C99 section 4.2: "a navigation path is said to be available").
 struct Frontier {
-  static constexpr double kPocketDepth_m = 0.4;  ///< depth of the unknown before a pocket's rim, at most
+  static constexpr double kPocketDepth_m = 0.4;  ///< depth of the unknown before a pocket's edge, at most
 
-  std::vector<FloorCell> frontier_cells;  ///< drivable cells that border on uncertain floor
-  std::vector<Vec2> rim;      ///< in `map` [m], on the edge of the free floor: to be seen to know more
-  FloorBox box;               ///< bounding box of the frontier cells
-  Vec2 p_map = Vec2::Zero();  ///< the centre of the middle one of the frontier cells
-  double behind_m2 = 0;       ///< area that may be floor, as far as it was counted
-  double path_m = 0;          ///< path from the vehicle to the nearest frontier cell
-  bool is_pocket = false;     ///< only to be looked into, see find_pockets() ...
-  FloorCell stand;            ///< ... from this nearest viewpoint; `path_m` leads there
+  std::vector<FloorCell> cells;  ///< drivable cells that border on uncertain floor
+  std::vector<Vec2> edge;        ///< in `map` [m], on the edge of the free floor: to be seen to know more
+  FloorBox box;                  ///< bounding box of the frontier cells
+  Vec2 p_map = Vec2::Zero();     ///< the centre of the middle one of the frontier cells
+  double behind_m2 = 0;          ///< area that may be floor, as far as it was counted
+  double path_m = 0;             ///< path from the vehicle to the nearest frontier cell
+  bool is_pocket = false;        ///< only to be looked into, see find_pockets() ...
+  FloorCell viewpoint;           ///< ... from this nearest viewpoint; `path_m` leads there
 };
 
 /// The same frontier on floor of cells half as wide.
@@ -40,7 +40,7 @@ Frontier with_cells_halved(Frontier frontier);
 using CellMarks = std::vector<std::uint8_t>;
 
 /// All frontiers that can be reached.
-/// @param reached  measured with `params.room_m`
+/// @param reached  measured with `params.clearance_m`
 /// @param marks  scratch memory
 std::vector<Frontier> find_frontiers(const FloorGrid& floor, const FloorClearance& clearance,
                                      const FloorDistances& reached, const FrontierParams& params,

@@ -30,8 +30,8 @@ struct PocketParams {
 
 /// Pockets: hidden floor that no frontier leads to but that can be seen from where the vehicle gets: behind a
 /// cupboard, or in a room whose door is hardly open. Each is given as a frontier that is not driven through:
-/// its frontier cells are the edge of the free floor, its rim lies right behind them in the unknown.
-/// @param reached  measured with `frontier_params.room_m`
+/// its frontier cells are the edge of the free floor, its edge lies right behind them in the unknown.
+/// @param reached  measured with `frontier_params.clearance_m`
 /// @param frontiers  of the same floor
 /// @param marks  scratch memory
 std::vector<Frontier> find_pockets(const FloorGrid& floor, const FloorClearance& clearance,

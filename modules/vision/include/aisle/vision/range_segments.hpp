@@ -26,7 +26,7 @@ struct SegmentParams {
 };
 
 /// The beams of a scanner's polar scan, as far as segments need them.
-struct BeamFan {
+struct ScanGeometry {
   double first_angle_rad = 0;
   double angle_step_rad = 0;
   double range_max_m = 0;  ///< readings of this or more are "nothing seen"
@@ -37,7 +37,7 @@ struct BeamFan {
 /// O(beams log beams) a scan, no allocation once warm.
 class RangeSegmenter {
  public:
-  RangeSegmenter(const BeamFan& fan, const SegmentParams& params);
+  RangeSegmenter(const ScanGeometry& geometry, const SegmentParams& params);
   ~RangeSegmenter();
 
   /// Replaces `segments` by those of one scan, in the order of the beams. Ranges that are not positive, not

@@ -11,7 +11,7 @@ namespace aisle {
 
 /// What the scan source can show from some pose.
 struct FrontierLook {
-  const LaserScanner& fan;
+  const LaserScanner& scanner;
   std::span<const float> near_m;  ///< one per beam: it shows nothing nearer than this; empty: no limit
   double reach_m = 0;             ///< points farther away do not count
 };

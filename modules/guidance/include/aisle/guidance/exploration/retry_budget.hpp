@@ -6,11 +6,11 @@
 namespace aisle {
 
 struct RetryBudgetParams {
-  double time_s = 90;       ///< for a target, without learning anything new, plus ...
-  double time_s_per_m = 8;  ///< ... this for each metre of path to it
-  double path_m = 12;       ///< driven for a target, plus ...
-  double path_factor = 3;   ///< ... this for each metre of path to it
-  int hitches = 5;          ///< paths that may fail on one spot
+  double time_s = 90;         ///< for a target, without learning anything new, plus ...
+  double time_s_per_m = 8;    ///< ... this for each metre of path to it
+  double path_m = 12;         ///< driven for a target, plus ...
+  double path_factor = 3;     ///< ... this for each metre of path to it
+  int planning_failures = 5;  ///< paths that may fail on one spot
 
   void describe(FieldList& fields);
 };

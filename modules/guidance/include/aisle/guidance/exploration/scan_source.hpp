@@ -20,7 +20,7 @@ class ScanSource {
  public:
   virtual ~ScanSource() = default;
   /// Beam angles, range and mounting pose of the scan.
-  virtual const LaserScanner& fan() const = 0;
+  virtual const LaserScanner& scanner() const = 0;
   /// @param view  set if the observation has a scan, else unchanged
   /// @return whether it has
   virtual bool look(const Observation& observation, ScanView& view) = 0;

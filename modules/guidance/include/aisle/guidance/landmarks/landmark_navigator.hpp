@@ -80,7 +80,7 @@ class LandmarkNavigator final : public Navigator {
   /// Lines in the last image, as landmark sightings; empty in a cycle without an image.
   const std::vector<LandmarkSighting>& sightings() const { return sightings_; }
   const std::vector<VerticalLine>& lines() const { return detector_.lines(); }
-  const std::vector<Vec2>& p_vehicle_lit() const { return guard_.p_vehicle_lit(); }
+  const std::vector<Vec2>& p_vehicle_returns() const { return guard_.p_vehicle_returns(); }
   const LandmarkLocaliser& localiser() const { return localiser_; }
 
  private:

@@ -17,7 +17,7 @@ class StripeMonitor {
   /// no other place.
   /// @return whether this image, like the one before it, shows hardly any light where it was until then;
   /// false while there is too little to compare
-  bool look(std::span<const Vec2> p_vehicle_lit, bool is_known_here = false);
+  bool look(std::span<const Vec2> p_vehicle_returns, bool is_known_here = false);
 
  private:
   SceneJump<Vec2> jump_;

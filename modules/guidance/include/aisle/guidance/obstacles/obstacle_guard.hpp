@@ -13,12 +13,12 @@
 #include "aisle/guidance/obstacles/path_ahead.hpp"
 #include "aisle/vehicle/observation.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
-#include "aisle/vision/stripes/stripe_fan.hpp"
+#include "aisle/vision/stripes/stripe_scan.hpp"
 
 namespace aisle {
 
 struct ObstacleGuardParams {
-  StripeFanParams stripes;
+  StripeScanParams stripes;
   ObstacleMemoryParams memory;
   ImageMonitorParams images;
   double margin_m = 0.02;
@@ -67,7 +67,7 @@ class ObstacleGuard {
   const CameraImage* look(const Observation& observation);
 
   /// Laser returns in the last image [vehicle frame], in the path or not.
-  const std::vector<Vec2>& p_vehicle_lit() const { return sight_.p_vehicle_lit; }
+  const std::vector<Vec2>& p_vehicle_returns() const { return sight_.p_vehicle_returns; }
 
   /// Takes in where the floor ends in the image that `look` has just returned. An obstacle seen this way
   /// counts from the second image in a row on, and only while it is in view, so `gap_m` must keep it there.
@@ -85,7 +85,7 @@ class ObstacleGuard {
   /// Laser light in the last image.
   struct Sight {
     StampedPose taken;
-    std::vector<Vec2> p_vehicle_lit;
+    std::vector<Vec2> p_vehicle_returns;
     bool is_new = false;
   };
   /// Ends of the floor in the last image.
@@ -111,14 +111,14 @@ class ObstacleGuard {
   VehicleDescription vehicle_;
   ObstacleGuardParams params_;
   std::optional<ImageMonitor> monitor_;
-  std::optional<StripeFan> stripe_;
+  std::optional<StripeScan> stripe_;
   Image grey_;  ///< conversion buffer for coloured images
   ObstacleMemory memory_;
   std::array<StampedPose, 16> poses_;
   std::size_t moves_ = 0;
   StampedPose now_;
   Sight sight_;
-  std::vector<Vec2> p_vehicle_lit_on_path_;
+  std::vector<Vec2> p_vehicle_returns_on_path_;
   std::vector<Vec2> p_vehicle_scanned_;
   FloorSight floor_;
   std::optional<double> lit_s_;  ///< when laser light was last seen

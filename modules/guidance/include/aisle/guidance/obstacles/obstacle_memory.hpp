@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "aisle/core/parameters.hpp"
-#include "aisle/vision/stripes/stripe_fan.hpp"
+#include "aisle/vision/stripes/stripe_scan.hpp"
 
 namespace aisle {
 
@@ -26,7 +26,7 @@ class ObstacleMemory {
   /// Takes in the laser returns that one image shows in the path.
   /// @param stripe          has read that image
   /// @param T_odom_vehicle  vehicle pose when it was taken
-  void see(const std::vector<Vec2>& p_vehicle_lit, const StripeFan& stripe, const Pose2& T_odom_vehicle,
+  void see(const std::vector<Vec2>& p_vehicle_returns, const StripeScan& stripe, const Pose2& T_odom_vehicle,
            double stamp_s);
 
   /// The obstacles seen often enough, in the frame of the vehicle at a pose; valid until the next call.

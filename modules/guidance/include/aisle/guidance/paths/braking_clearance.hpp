@@ -17,7 +17,7 @@ class BrakingClearance {
   BrakingClearance(const VehicleDescription& vehicle, double margin_m);
 
   /// Takes in the present scan.
-  void see(const LaserScanner& fan, std::span<const float> ranges_m);
+  void see(const LaserScanner& scanner, std::span<const float> ranges_m);
 
   /// Whether the vehicle would keep its distance from the present laser returns, or at least not lose any.
   bool is_off_hit(const Pose2& T_vehicle_later) const;

@@ -48,7 +48,7 @@ class PathDriver {
   void drop();
 
   /// Takes in the present scan.
-  void see(const LaserScanner& fan, std::span<const float> ranges_m) { braking_.see(fan, ranges_m); }
+  void see(const LaserScanner& scanner, std::span<const float> ranges_m) { braking_.see(scanner, ranges_m); }
   bool is_off_hit(const Pose2& T_vehicle_later) const { return braking_.is_off_hit(T_vehicle_later); }
 
   /// How much of the path ahead is free, by what is known now; at most left_m().

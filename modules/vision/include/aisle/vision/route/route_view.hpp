@@ -8,13 +8,13 @@
 #include "aisle/geometry/back_projection.hpp"
 #include "aisle/geometry/segment2.hpp"
 #include "aisle/vision/route/route_region.hpp"
-#include "aisle/vision/stripes/stripe_fan.hpp"
+#include "aisle/vision/stripes/stripe_scan.hpp"
 
 namespace aisle {
 
 struct RouteViewParams {
   RegionParams region;
-  StripeFanParams stripe{.wide_m = 0.6};
+  StripeScanParams stripe{.wide_m = 0.6};
   double far_scan_m = 2.2;
   double near_scan_m = 1.3;
   double check_ahead_m = 0.5;
@@ -111,9 +111,9 @@ class RouteView {
   Vec2 p_vehicle_patch_ = Vec2::Zero();  ///< the patch's far left corner
   int far_row_ = 0, near_row_ = 0;
   FloorPatch ahead_, left_, right_;
-  std::optional<StripeFan> stripe_;
+  std::optional<StripeScan> stripe_;
   double stripe_height_m_ = 0;
-  std::vector<Vec2> p_vehicle_lit_;
+  std::vector<Vec2> p_vehicle_returns_;
   std::vector<LitPiece> lit_pieces_;
   Image grey_;
 };

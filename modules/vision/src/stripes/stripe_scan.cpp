@@ -1,4 +1,4 @@
-#include "aisle/vision/stripes/stripe_fan.hpp"
+#include "aisle/vision/stripes/stripe_scan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ std::uint8_t level_difference(int a, int b) {
 
 }  // namespace
 
-void StripeFanParams::describe(FieldList& fields) {
+void StripeScanParams::describe(FieldList& fields) {
   fields.real("wide_m", wide_m, {0.2, 20}, "at this range the outermost beams are still in the image");
   fields.real("sure_reach_m", sure_reach_m, {0.5, 20},
               "up to here a stripe is seen on all but grazing-incidence surfaces");
@@ -52,12 +52,12 @@ void StripeFanParams::describe(FieldList& fields) {
   fields.count("lit_beams_min", lit_beams_min, {1, 1000}, "beams of a stripe that can only be laser light");
 }
 
-double StripeFan::angle_step_rad() {
+double StripeScan::angle_step_rad() {
   return kStep_rad;
 }
 
-StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics,
-                     const CameraMount& mount, int width_px, int height_px, double height_m)
+StripeScan::StripeScan(const StripeScanParams& params, const CameraIntrinsics& intrinsics,
+                       const CameraMount& mount, int width_px, int height_px, double height_m)
     : params_(params),
       T_vehicle_fan_{mount.p_vehicle_camera.x(), mount.p_vehicle_camera.y(), mount.pan_rad},
       width_px_(width_px),
@@ -69,7 +69,7 @@ StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intr
 }
 
 /// Covers the image's width at a few metres, with as many beams to either side.
-void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m) {
+void StripeScan::lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m) {
   const auto is_seen = [&](int beam) {
     const Vec2 p_vehicle =
         mount.p_vehicle_camera.head<2>() + params_.wide_m * unit(mount.pan_rad + beam * kStep_rad);
@@ -85,14 +85,14 @@ void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, d
   link_px_ = static_cast<int>(kLinkFloor_px + params_.steepness_max * focal_px_ * kStep_rad);
 }
 
-bool StripeFan::is_inside(const Vec2& pixel) const {
+bool StripeScan::is_inside(const Vec2& pixel) const {
   return pixel.x() >= kImageEdge_px && pixel.y() >= kImageEdge_px &&
          pixel.x() < width_px_ - 1 - kImageEdge_px && pixel.y() < height_px_ - 1 - kImageEdge_px;
 }
 
 /// Outwards from below the lens, one sample per pixel.
-void StripeFan::lay_curve(double angle_rad, const CameraModel& camera, const CameraMount& mount,
-                          double height_m) {
+void StripeScan::lay_curve(double angle_rad, const CameraModel& camera, const CameraMount& mount,
+                           double height_m) {
   const Vec2 p_vehicle_lens = mount.p_vehicle_camera.head<2>();
   const auto pixel_at = [&](double range_m) {
     const Vec2 p_vehicle = p_vehicle_lens + range_m * unit(angle_rad);
@@ -130,12 +130,12 @@ void StripeFan::lay_curve(double angle_rad, const CameraModel& camera, const Cam
 }
 
 /// Half the stripe's thickness, where it is steepest, and the blur beside it.
-std::uint8_t StripeFan::flank_at(double away_m) const {
+std::uint8_t StripeScan::flank_at(double away_m) const {
   const double flank_px = kBlur_px + kFlank * params_.steepness_max * params_.beam_m * focal_px_ / away_m;
   return static_cast<std::uint8_t>(std::clamp(std::lround(flank_px), 3L, 40L));
 }
 
-const std::vector<StripeFan::Beam>& StripeFan::find(const Image& image) {
+const std::vector<StripeScan::Beam>& StripeScan::find(const Image& image) {
   if (image.channels != 1 || image.width_px != width_px_ || image.height_px != height_px_)
     throw std::invalid_argument("the image must be grey and of the camera's size");
   read(image);
@@ -146,7 +146,7 @@ const std::vector<StripeFan::Beam>& StripeFan::find(const Image& image) {
   return beams_;
 }
 
-void StripeFan::read(const Image& image) {
+void StripeScan::read(const Image& image) {
   const std::uint8_t* bytes = image.bytes.data();
   const std::size_t below = image.row_bytes();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -160,7 +160,7 @@ void StripeFan::read(const Image& image) {
 }
 
 /// Least contrast of a peak, from the median contrast along the beams.
-int StripeFan::threshold() const {
+int StripeScan::threshold() const {
   LevelCounts contrasts;
   for (const Curve& curve : curves_) {
     for (std::size_t i = curve.first; i + samples_[i].flank < curve.end; i += kUsualStep)
@@ -170,7 +170,7 @@ int StripeFan::threshold() const {
       std::ceil(std::max(params_.contrast_min, params_.noise_factor * contrasts.median())));
 }
 
-void StripeFan::find_peaks() {
+void StripeScan::find_peaks() {
   peaks_.clear();
   contrast_min_ = threshold();
   for (std::size_t beam = 0; beam < curves_.size(); ++beam) {
@@ -190,7 +190,7 @@ void StripeFan::find_peaks() {
 }
 
 /// The brightest level before and behind a stripe at a sample.
-int StripeFan::brightest_beside(const Curve& curve, std::size_t i) const {
+int StripeScan::brightest_beside(const Curve& curve, std::size_t i) const {
   const std::size_t flank = samples_[i].flank;
   const std::size_t first = i - std::min(i - curve.first, kBesideFlanks * flank);
   const std::size_t end = std::min(i + kBesideFlanks * flank + 1, curve.end);
@@ -200,7 +200,7 @@ int StripeFan::brightest_beside(const Curve& curve, std::size_t i) const {
 }
 
 /// Adds a peak at the middle of what is at least half as bright.
-void StripeFan::add_peak(std::size_t beam, std::size_t i, int contrast) {
+void StripeScan::add_peak(std::size_t beam, std::size_t i, int contrast) {
   const int half = levels_[i] - contrast / 2;
   const std::size_t flank = samples_[i].flank;
   int rows = 0;
@@ -223,7 +223,7 @@ void StripeFan::add_peak(std::size_t beam, std::size_t i, int contrast) {
 }
 
 /// Peaks of neighbouring beams at about the same row belong together.
-void StripeFan::link_peaks() {
+void StripeScan::link_peaks() {
   chains_.clear();
   std::size_t first = 0;  // that may be linked to
   for (std::size_t p = 0; p < peaks_.size(); ++p) {
@@ -249,7 +249,7 @@ void StripeFan::link_peaks() {
 }
 
 /// The nearest peak on the nearest previous beam.
-const StripeFan::Peak* StripeFan::linked_before(const Peak& peak, std::size_t first) const {
+const StripeScan::Peak* StripeScan::linked_before(const Peak& peak, std::size_t first) const {
   const Peak* linked = nullptr;
   for (const Peak* before = &peaks_[first]; before->beam < peak.beam; ++before) {
     const int off = std::abs(before->row - peak.row);
@@ -261,14 +261,14 @@ const StripeFan::Peak* StripeFan::linked_before(const Peak& peak, std::size_t fi
 }
 
 /// As a share of the most that laser light may have there; across the stripe, not along the beam.
-double StripeFan::thickness(const Peak& peak) const {
+double StripeScan::thickness(const Peak& peak) const {
   const double rows_a_column = peak.slope.value_or(0) / (focal_px_ * kStep_rad);
   const double light_px = kThinnest_px + params_.beam_m * focal_px_ / std::hypot(peak.range_m, above_m_);
   return peak.rows / std::hypot(1, rows_a_column) / light_px;
 }
 
 /// Paper on the floor is too thick.
-bool StripeFan::is_stripe(std::size_t c) const {
+bool StripeScan::is_stripe(std::size_t c) const {
   const Chain& chain = chains_[c];
   return chain.beams >= params_.beams_min && chain.beams * kStep_rad * chain.range_m >= params_.width_min_m &&
          chain.thickness <= chain.peaks && outshines_grain(c);
@@ -276,7 +276,7 @@ bool StripeFan::is_stripe(std::size_t c) const {
 
 /// A stripe has a plain surface before or behind it. The grain of a floor has bright lines, too, but with
 /// grain on either side.
-bool StripeFan::outshines_grain(std::size_t c) const {
+bool StripeScan::outshines_grain(std::size_t c) const {
   const Chain& chain = chains_[c];
   LevelCounts before, behind;
   for (std::size_t p = chain.first_peak; p <= chain.last_peak; ++p) {
@@ -293,7 +293,7 @@ bool StripeFan::outshines_grain(std::size_t c) const {
 }
 
 /// Chooses the nearest laser return on each beam. A shiny floor mirrors the stripe: fainter, and before it.
-void StripeFan::choose_nearest() {
+void StripeScan::choose_nearest() {
   for (Beam& beam : beams_) {
     beam.range_m = 0;
     beam.may_be_shut = false;
@@ -315,7 +315,7 @@ void StripeFan::choose_nearest() {
 }
 
 /// A wall goes on where its stripe is too faint to be seen, or below the image.
-void StripeFan::mark_uncertain_beyond_ends() {
+void StripeScan::mark_uncertain_beyond_ends() {
   const int beams = static_cast<int>(beams_.size());
   for (int beam = 0; beam < beams; ++beam) {
     if (beams_[static_cast<std::size_t>(beam)].range_m == 0) continue;
@@ -326,7 +326,7 @@ void StripeFan::mark_uncertain_beyond_ends() {
 }
 
 /// Marks the beams without a return that cross the straight continuation of the stripe.
-void StripeFan::mark_uncertain_beyond(int end, int outwards) {
+void StripeScan::mark_uncertain_beyond(int end, int outwards) {
   const int beams = beams_of_wall(end, -outwards);
   if (beams < params_.beams_min || !goes_on_unseen(end, -outwards, beams)) return;
   const Vec2 p_end = hit(end), along = p_end - hit(end - outwards * (beams - 1));
@@ -340,7 +340,7 @@ void StripeFan::mark_uncertain_beyond(int end, int outwards) {
 }
 
 /// Whether the stripe is faint at its end, or the image ends there.
-bool StripeFan::goes_on_unseen(int end, int inwards, int beams) const {
+bool StripeScan::goes_on_unseen(int end, int inwards, int beams) const {
   const Beam& last = beams_[static_cast<std::size_t>(end)];
   if (last.range_m < last.near_m + kNearEdge_m) return true;
   int faintest = contrast_[static_cast<std::size_t>(end)];
@@ -350,7 +350,7 @@ bool StripeFan::goes_on_unseen(int end, int inwards, int beams) const {
 }
 
 /// How many beams from the stripe's end inwards hit the same wall, at most kWallBeams.
-int StripeFan::beams_of_wall(int end, int inwards) const {
+int StripeScan::beams_of_wall(int end, int inwards) const {
   int beams = 1;
   for (; beams < kWallBeams; ++beams) {
     const int next = end + beams * inwards;
@@ -362,18 +362,18 @@ int StripeFan::beams_of_wall(int end, int inwards) const {
   return beams;
 }
 
-Vec2 StripeFan::hit(int beam) const {
+Vec2 StripeScan::hit(int beam) const {
   return beams_[static_cast<std::size_t>(beam)].range_m * unit(first_angle_rad_ + beam * kStep_rad);
 }
 
-void StripeFan::append_lit(std::vector<Vec2>& p_vehicle_lit) const {
+void StripeScan::append_lit(std::vector<Vec2>& p_vehicle_returns) const {
   for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
     if (beams_[beam].range_m > 0 && beams_[beam].range_m <= params_.sure_reach_m)
-      p_vehicle_lit.push_back(T_vehicle_fan_ * hit(static_cast<int>(beam)));
+      p_vehicle_returns.push_back(T_vehicle_fan_ * hit(static_cast<int>(beam)));
   }
 }
 
-bool StripeFan::is_free(const Vec2& p_vehicle) const {
+bool StripeScan::is_free(const Vec2& p_vehicle) const {
   const Vec2 p_fan = T_vehicle_fan_.inverse() * p_vehicle;
   const double away_m = p_fan.norm();
   const long k = std::lround((std::atan2(p_fan.y(), p_fan.x()) - first_angle_rad_) / kStep_rad);

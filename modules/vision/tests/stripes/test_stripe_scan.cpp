@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "aisle/vision/stripes/stripe_fan.hpp"
+#include "aisle/vision/stripes/stripe_scan.hpp"
 #include "lit_floor.hpp"
 
 namespace aisle {
@@ -13,7 +13,7 @@ namespace {
 const CameraIntrinsics kFanLens{.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5, .k1 = -0.18};
 const Vec2 kLensFloorPoint{0.85, 0};
 
-StripeFan fan() {
+StripeScan stripe_scan() {
   return {{}, kFanLens, kMount, kWidth_px, kHeight_px, kLightHeight_m};
 }
 
@@ -38,13 +38,13 @@ void shine_on(Image& image, const Vec2& from, const Vec2& to, double contrast_m2
   }
 }
 
-const StripeFan::Beam& beam_at(const StripeFan& eye, double angle_deg) {
-  const double beam = (angle_deg * kDegree - eye.first_angle_rad()) / StripeFan::angle_step_rad();
+const StripeScan::Beam& beam_at(const StripeScan& eye, double angle_deg) {
+  const double beam = (angle_deg * kDegree - eye.first_angle_rad()) / StripeScan::angle_step_rad();
   return eye.beams().at(static_cast<std::size_t>(std::lround(beam)));
 }
 
-TEST(StripeFan, TellsHowFarAwayAWallStands) {
-  StripeFan eye = fan();
+TEST(StripeScan, TellsHowFarAwayAWallStands) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   shine_on(image, {2.85, -3}, {2.85, 3});
   eye.find(image);
@@ -52,8 +52,8 @@ TEST(StripeFan, TellsHowFarAwayAWallStands) {
     EXPECT_NEAR(beam_at(eye, angle_deg).range_m, 2 / std::cos(angle_deg * kDegree), 0.01) << angle_deg;
 }
 
-TEST(StripeFan, SeesWallsBesideTheRoute) {
-  StripeFan eye = fan();
+TEST(StripeScan, SeesWallsBesideTheRoute) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   for (const double side_m : {-0.5, 1.0}) shine_on(image, {0.9, side_m}, {4, side_m}, 200);
   eye.find(image);
@@ -63,9 +63,9 @@ TEST(StripeFan, SeesWallsBesideTheRoute) {
   EXPECT_NEAR(beam_at(eye, -25).range_m, 0.5 / std::sin(25 * kDegree), 0.02);
 }
 
-TEST(StripeFan, SeesTheLegOfAChair) {
+TEST(StripeScan, SeesTheLegOfAChair) {
   for (const double ahead_m : {1.8, 2.5}) {
-    StripeFan eye = fan();
+    StripeScan eye = stripe_scan();
     Image image = floor_with_noise();
     shine_on(image, {ahead_m, -0.02}, {ahead_m, 0.02});
     eye.find(image);
@@ -74,7 +74,7 @@ TEST(StripeFan, SeesTheLegOfAChair) {
   }
 }
 
-TEST(StripeFan, TakesNeitherNoiseNorTheJointsOfTilesForLight) {
+TEST(StripeScan, TakesNeitherNoiseNorTheJointsOfTilesForLight) {
   Image image = floor_with_noise();
   const BackProjection floor(CameraModel(kFanLens), kMount, 0);
   const auto is_joint = [](double p_m) { return std::abs(std::remainder(p_m, 0.3)) < 0.003; };
@@ -84,20 +84,20 @@ TEST(StripeFan, TakesNeitherNoiseNorTheJointsOfTilesForLight) {
       if (p && (is_joint(p->x()) || is_joint(p->y()))) image.row(v)[u] = 80;
     }
   }
-  StripeFan eye = fan();
+  StripeScan eye = stripe_scan();
   eye.find(image);
-  for (const StripeFan::Beam& beam : eye.beams()) EXPECT_TRUE(beam.range_m == 0 || beam.range_m > 4);
+  for (const StripeScan::Beam& beam : eye.beams()) EXPECT_TRUE(beam.range_m == 0 || beam.range_m > 4);
   EXPECT_FALSE(eye.sees_light());
 }
 
-TEST(StripeFan, TakesNoPaperOnTheFloorNearbyForLight) {
-  StripeFan eye = fan();
+TEST(StripeScan, TakesNoPaperOnTheFloorNearbyForLight) {
+  StripeScan eye = stripe_scan();
   for (double away_m = 1.3; away_m < 3; away_m += 0.5) {
     for (const double turned_deg : {0.0, 20.0, 45.0}) {
       Image image = floor_with_noise();
       lay_paper(image, kFanLens, {0.85 + away_m, 0}, turned_deg * kDegree);
       eye.find(image);
-      for (const StripeFan::Beam& beam : eye.beams())
+      for (const StripeScan::Beam& beam : eye.beams())
         ASSERT_EQ(beam.range_m, 0) << away_m << " m, " << turned_deg << " degrees";
     }
   }
@@ -125,26 +125,26 @@ Image carpet(std::uint64_t seed) {
   return image;
 }
 
-TEST(StripeFan, TakesNoGrainOfACarpetForLight) {
-  StripeFan eye = fan();
+TEST(StripeScan, TakesNoGrainOfACarpetForLight) {
+  StripeScan eye = stripe_scan();
   int lit = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     eye.find(carpet(seed));
-    for (const StripeFan::Beam& beam : eye.beams()) lit += beam.range_m > 0 ? 1 : 0;
+    for (const StripeScan::Beam& beam : eye.beams()) lit += beam.range_m > 0 ? 1 : 0;
   }
   EXPECT_EQ(lit, 0);
 }
 
-TEST(StripeFan, SeesTheLegOfAChairOnACarpet) {
-  StripeFan eye = fan();
+TEST(StripeScan, SeesTheLegOfAChairOnACarpet) {
+  StripeScan eye = stripe_scan();
   Image image = carpet(1);
   shine_on(image, {2.2, -0.02}, {2.2, 0.02}, 100);
   eye.find(image);
   EXPECT_NEAR(beam_at(eye, 0).range_m, 2.2 - kLensFloorPoint.x(), 0.01);
 }
 
-TEST(StripeFan, TakesTheFaintStripeBeforeABrightOneForItsMirrorImage) {
-  StripeFan eye = fan();
+TEST(StripeScan, TakesTheFaintStripeBeforeABrightOneForItsMirrorImage) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   shine_on(image, {3.35, -3}, {3.35, 3}, 500);
   shine_on(image, {2.2, -1}, {2.2, 1}, 40);
@@ -152,21 +152,21 @@ TEST(StripeFan, TakesTheFaintStripeBeforeABrightOneForItsMirrorImage) {
   EXPECT_NEAR(beam_at(eye, 0).range_m, 2.5, 0.02);
 }
 
-TEST(StripeFan, GivesTheLaserReturns) {
-  StripeFan eye = fan();
+TEST(StripeScan, GivesTheLaserReturns) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   shine_on(image, {2.5, -0.3}, {2.5, 0.1});
   eye.find(image);
-  std::vector<Vec2> p_vehicle_lit;
-  eye.append_lit(p_vehicle_lit);
-  ASSERT_FALSE(p_vehicle_lit.empty());
-  for (const Vec2& p_vehicle : p_vehicle_lit) EXPECT_NEAR(p_vehicle.x(), 2.5, 0.01);
-  EXPECT_NEAR(p_vehicle_lit.front().y(), -0.3, 0.015);
-  EXPECT_NEAR(p_vehicle_lit.back().y(), 0.1, 0.015);
+  std::vector<Vec2> p_vehicle_returns;
+  eye.append_lit(p_vehicle_returns);
+  ASSERT_FALSE(p_vehicle_returns.empty());
+  for (const Vec2& p_vehicle : p_vehicle_returns) EXPECT_NEAR(p_vehicle.x(), 2.5, 0.01);
+  EXPECT_NEAR(p_vehicle_returns.front().y(), -0.3, 0.015);
+  EXPECT_NEAR(p_vehicle_returns.back().y(), 0.1, 0.015);
 }
 
-TEST(StripeFan, SaysWhereTheFloorIsFreeAndWhereItCannotKnow) {
-  StripeFan eye = fan();
+TEST(StripeScan, SaysWhereTheFloorIsFreeAndWhereItCannotKnow) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   shine_on(image, {2.5, -0.3}, {2.5, 0.3});
   eye.find(image);
@@ -182,8 +182,8 @@ TEST(StripeFan, SaysWhereTheFloorIsFreeAndWhereItCannotKnow) {
   EXPECT_FALSE(eye.is_free({2, 0})) << "no light";
 }
 
-TEST(StripeFan, AWallThatFadesOutMayGoOn) {
-  StripeFan eye = fan();
+TEST(StripeScan, AWallThatFadesOutMayGoOn) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   shine_on(image, {0.9, 0.5}, {2.85, 0.5}, 60);
   eye.find(image);
@@ -193,8 +193,8 @@ TEST(StripeFan, AWallThatFadesOutMayGoOn) {
   EXPECT_FALSE(beam_at(eye, 0).may_be_shut);
 }
 
-TEST(StripeFan, AWallThatEndsInFullLightHasEnded) {
-  StripeFan eye = fan();
+TEST(StripeScan, AWallThatEndsInFullLightHasEnded) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   shine_on(image, {0.9, 0.5}, {2.85, 0.5}, 400);
   eye.find(image);
@@ -202,8 +202,8 @@ TEST(StripeFan, AWallThatEndsInFullLightHasEnded) {
   EXPECT_FALSE(beam_at(eye, 12).may_be_shut);
 }
 
-TEST(StripeFan, AWallThatLeavesTheImageBelowShutsTheBeamsBeyond) {
-  StripeFan eye = fan();
+TEST(StripeScan, AWallThatLeavesTheImageBelowShutsTheBeamsBeyond) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   shine_on(image, {1.1, -0.8}, {2.6, 0.7}, 300);
   eye.find(image);
@@ -212,10 +212,10 @@ TEST(StripeFan, AWallThatLeavesTheImageBelowShutsTheBeamsBeyond) {
   EXPECT_TRUE(beam_at(eye, -25).may_be_shut);
 }
 
-TEST(StripeFan, LooksOnlyWhereTheImageShowsTheLightPlane) {
-  const StripeFan eye = fan();
+TEST(StripeScan, LooksOnlyWhereTheImageShowsTheLightPlane) {
+  const StripeScan eye = stripe_scan();
   EXPECT_DOUBLE_EQ(eye.first_angle_rad(),
-                   -static_cast<double>(eye.beams().size() - 1) / 2 * StripeFan::angle_step_rad());
+                   -static_cast<double>(eye.beams().size() - 1) / 2 * StripeScan::angle_step_rad());
   const BackProjection plane(CameraModel(kFanLens), kMount, kLightHeight_m);
   const double lowest_m = plane.point({319.5, kHeight_px - 1})->x() - kLensFloorPoint.x();
   EXPECT_GT(beam_at(eye, 0).near_m, lowest_m);
@@ -223,8 +223,8 @@ TEST(StripeFan, LooksOnlyWhereTheImageShowsTheLightPlane) {
   EXPECT_GT(beam_at(eye, 0).far_m, 6);
 }
 
-TEST(StripeFan, NoticesThatTheLasersAreOffByTheWallsFarAway) {
-  StripeFan eye = fan();
+TEST(StripeScan, NoticesThatTheLasersAreOffByTheWallsFarAway) {
+  StripeScan eye = stripe_scan();
   Image image = floor_with_noise();
   eye.find(image);
   EXPECT_FALSE(eye.sees_light());
@@ -233,13 +233,13 @@ TEST(StripeFan, NoticesThatTheLasersAreOffByTheWallsFarAway) {
   EXPECT_TRUE(eye.sees_light());
 }
 
-TEST(StripeFan, RefusesImagesAndCamerasThatDoNotFit) {
-  StripeFan eye = fan();
+TEST(StripeScan, RefusesImagesAndCamerasThatDoNotFit) {
+  StripeScan eye = stripe_scan();
   EXPECT_THROW(eye.find(Image(320, 240)), std::invalid_argument);
   EXPECT_THROW(eye.find(Image(kWidth_px, kHeight_px, 3)), std::invalid_argument);
   CameraMount up = kMount;
   up.tilt_rad = -60 * kDegree;
-  EXPECT_THROW(StripeFan({}, kFanLens, up, kWidth_px, kHeight_px, kLightHeight_m), std::invalid_argument);
+  EXPECT_THROW(StripeScan({}, kFanLens, up, kWidth_px, kHeight_px, kLightHeight_m), std::invalid_argument);
 }
 
 }  // namespace

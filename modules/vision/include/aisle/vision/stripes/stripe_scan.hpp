@@ -13,7 +13,7 @@
 
 namespace aisle {
 
-struct StripeFanParams {
+struct StripeScanParams {
   double wide_m = 2.5;       ///< at this range the outermost beams are still in the image
   double sure_reach_m = 4;   ///< up to here a stripe is seen on all but grazing-incidence surfaces
   double light_reach_m = 8;  ///< up to here any wall shows that the lasers are on
@@ -32,7 +32,7 @@ struct StripeFanParams {
 /// Beams in the light plane from the point below the lens. Each is a curve in the image, on which every pixel
 /// has its own distance. Where an obstacle stands in the light plane, the curve crosses a thin line that is
 /// brighter than what lies before and behind it, and the neighbouring beams do so at about the same place.
-class StripeFan {
+class StripeScan {
  public:
   /// The reading of one beam.
   struct Beam {
@@ -44,8 +44,8 @@ class StripeFan {
 
   /// @param height_m  of the light plane above the floor
   /// @throws std::invalid_argument if the camera does not see the light plane from above
-  StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
-            int width_px, int height_px, double height_m);
+  StripeScan(const StripeScanParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
+             int width_px, int height_px, double height_m);
 
   /// Angle of the first beam from the camera's direction; the others follow counter-clockwise, as many to the
   /// left as to the right.
@@ -62,7 +62,7 @@ class StripeFan {
   bool sees_light() const { return sees_light_; }
 
   /// Appends the last image's laser returns within sure_reach_m, in base_link [m], from right to left.
-  void append_lit(std::vector<Vec2>& p_vehicle_lit) const;
+  void append_lit(std::vector<Vec2>& p_vehicle_returns) const;
 
   /// Whether the last image shows that nothing stands in the light plane at a point of base_link: the plane
   /// is in view there and beyond. What is out of view, beyond sure_reach_m or hidden is not known to be free.
@@ -120,7 +120,7 @@ class StripeFan {
   int beams_of_wall(int end, int inwards) const;
   Vec2 hit(int beam) const;
 
-  StripeFanParams params_;
+  StripeScanParams params_;
   Pose2 T_vehicle_fan_;  ///< below the lens, where the camera looks
   int width_px_, height_px_;
   double focal_px_;
