@@ -207,7 +207,7 @@ TEST_F(LiveProgram, RefusesWhatWouldBeUnsafe) {
   EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--listen", "0.0.0.0"}), IsRefused("--token-file"));
   EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--listen", "0.0.0.0", "--token-file", token}),
               IsRefused("at least 16"));
-  EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--listen", "lan"}), IsRefused("no address"));
+  EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--listen", "lan"}), IsRefused("is not an address"));
   EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--cert", token}), IsRefused("--key"));
   EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--cert", token, "--key", token}),
               IsRefused("no certificate in PEM form"));

@@ -10,7 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kCountedBehind_m2 = 2;  // larger areas behind a frontier are not distinguished
-constexpr std::size_t kEdgeMax = 24;      // points that represent an edge
+constexpr std::size_t kEdgeMax = 24;     // points that represent an edge
 constexpr double kBesideCells = 1.5;     // the distances of two adjacent cells differ by less
 
 class FrontierFinder {
@@ -65,9 +65,9 @@ class FrontierFinder {
       for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });
       if (!borders) return;
       marks_[index] = kFrontierCell;
-      frontier_cells.push_back(cell);
+      cells.push_back(cell);
     });
-    return frontier_cells;
+    return cells;
   }
 
   Frontier gather(FloorCell first) {
