@@ -75,7 +75,8 @@ TEST(VehicleYaml, TheNameIsOneLineOfText) {
 }
 
 TEST(VehicleYaml, CamerasHaveOneUsableNameEach) {
-  EXPECT_THAT(vehicle_problems("cameras: {a/b: {}}\n"), HasSubstr("cart.yaml:3: cameras.a/b: is not a camera name"));
+  EXPECT_THAT(vehicle_problems("cameras: {a/b: {}}\n"),
+              HasSubstr("cart.yaml:3: cameras.a/b: is not a camera name"));
   EXPECT_THAT(vehicle_problems("cameras:\n  a: {}\n  a: {z_m: 1}\n"),
               HasSubstr("5: cameras.a: is given twice"));
   EXPECT_THAT(vehicle_problems("cameras: [1]\n"), HasSubstr("cart.yaml:3: cameras: a list is not a value"));
