@@ -73,12 +73,19 @@ RC_GTEST_PROP(Path, ItsFirstPartAndAnotherBehindItLieWhereTheyLay, (std::uint64_
   RC_PRE(cut_m > 1e-3);
   const Path part = whole.up_to(cut_m);
   RC_ASSERT(std::abs(part.length_m() - cut_m) < 1e-9);
-  const Path longer = part.followed_by(path_of({{1, 0.3}}, part.pieces().back().end()));
+  const Path longer = part.followed_by(path_of({{1, 0.3}}, part.end()));
   RC_ASSERT(std::abs(longer.length_m() - cut_m - 1) < 1e-9);
   for (const double share : {0.0, 0.3, 0.7, 0.99}) {
     const Vec2 p = whole.at(share * cut_m).T_map_path.position();
     RC_ASSERT((longer.at(share * cut_m).T_map_path.position() - p).norm() < 1e-9);
   }
+}
+
+TEST(Path, ItsEndIsAfterATurnOnTheSpotThere) {
+  const Path path = path_of({{2, 0}, {0, kPi / 2}});
+  EXPECT_NEAR(path.at(path.length_m()).T_map_path.theta, 0, 1e-12);
+  EXPECT_NEAR(path.end().theta, kPi / 2, 1e-12);
+  EXPECT_NEAR(path.end().x, 2, 1e-12);
 }
 
 RC_GTEST_PROP(Path, ReversedTwiceItIsItself, (std::uint64_t seed)) {
@@ -92,7 +99,7 @@ RC_GTEST_PROP(Path, ReversedTwiceItIsItself, (std::uint64_t seed)) {
     RC_ASSERT((again.at(along_m).T_map_path.position() - p).norm() < 1e-9);
     RC_ASSERT((back.at(path.length_m() - along_m).T_map_path.position() - p).norm() < 1e-9);
   }
-  const Pose2 end = path.pieces().back().end() * about;
+  const Pose2 end = path.end() * about;
   RC_ASSERT(std::abs(wrap_angle(back.pieces().front().T_map_start.theta - end.theta)) < 1e-9);
 }
 

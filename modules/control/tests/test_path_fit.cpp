@@ -137,7 +137,7 @@ std::string fault_of_fit(std::uint64_t seed) {
   const Path true_path = any_route(random, 0.3);
   const std::vector<Pose2> driven = driven_by_hand(true_path, random.uniform(0, 0.05), random);
   const Path path = fit_path(driven, params);
-  const Vec2 p_map_end = path.pieces().back().end().position();
+  const Vec2 p_map_end = path.end().position();
   if (stray_m(path, driven) > params.stray_max_m) return "strays";
   if (path.pieces().size() > 2 * true_path.pieces().size() + 6) return "of too many pieces";
   if (std::abs(path.length_m() - true_path.length_m()) > 0.02 * true_path.length_m())

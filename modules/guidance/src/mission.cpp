@@ -38,9 +38,10 @@ Result<MissionEnd> run_mission(Vehicle& vehicle, Navigator& navigator, MissionRe
            .why = decision.why,
            .cycles = end.cycles + 1,
            .duration_s = observation->stamp_s - *start_s};
-    if (decision.status != NavigatorStatus::kGoing) break;
+    if (decision.status != NavigatorStatus::kGoing) return end;
     progress.report(decision.state, end.cycles, 0);
   }
+  end.why = vehicle.end_reason();
   return end;
 }
 

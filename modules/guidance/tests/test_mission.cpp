@@ -21,6 +21,7 @@ class CountingVehicle final : public Vehicle {
     observation.stamp_s = stamp_s_ += 0.1;
     return observation;
   }
+  std::string end_reason() const override { return cycles_left_ < 0 ? "the wires are cut" : ""; }
   void act(const Command& command) override { speeds_mps.push_back(command.speed_mps); }
 
   std::vector<double> speeds_mps;
@@ -80,6 +81,8 @@ TEST(Mission, StopsTheVehicleWhenObservationsEnd) {
   const auto end = run_mission(vehicle, navigator, record, progress);
   ASSERT_TRUE(end.ok());
   EXPECT_FALSE(end->arrived);
+  EXPECT_EQ(end->state, "going");
+  EXPECT_EQ(end->why, "the wires are cut");
   EXPECT_THAT(vehicle.speeds_mps, ElementsAre(1, 1, 0));
 }
 

@@ -28,12 +28,12 @@ void expect_near(const Pose2& T, double x, double y, double theta) {
 TEST(Sections, StraightLinesAndTurnsFollowEachOther) {
   const Path path = path_of({straight(3), turn(-kPi / 2), straight(2)}, {1, 1, 0});
   ASSERT_EQ(path.pieces().size(), 3U);
-  expect_near(path.pieces().back().end(), 4, -1, -kPi / 2);
+  expect_near(path.end(), 4, -1, -kPi / 2);
 }
 
 TEST(Sections, BackIsDrivenBackwards) {
   const Path path = path_of({straight(3), {.kind = Section::Kind::kBack, .length_m = 1}}, {});
-  expect_near(path.pieces().back().end(), 2, 0, 0);
+  expect_near(path.end(), 2, 0, 0);
   EXPECT_LT(path.pieces().back().arc.length_m, 0);
 }
 
@@ -49,7 +49,7 @@ TEST(Sections, EveryPieceKnowsItsSection) {
 TEST(Sections, ACurveEndsAtP2AQuarterTurnLeft) {
   for (const Vec2& end : {Vec2(0.5, 0.5), Vec2(0.3, 0.9), Vec2(1.2, 0.4)}) {
     const Path path = path_of({curve(end.x(), end.y())}, {});
-    expect_near(path.pieces().back().end(), end.x(), end.y(), kPi / 2);
+    expect_near(path.end(), end.x(), end.y(), kPi / 2);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "aisle/formats/sessions/session_cycles.hpp"
@@ -24,6 +25,9 @@ class ExplorationRun final : public Vehicle {
   const VehicleDescription& description() const override { return vehicle_.description(); }
   /// nullopt also if the session cannot be read any further: then problems() says why.
   std::optional<Observation> sense() override;
+  std::string end_reason() const override {
+    return problems_.empty() ? vehicle_.end_reason() : to_string(problems_.front());
+  }
   void act(const Command& command) override;
 
   bool was_interrupted() const { return was_interrupted_; }

@@ -87,8 +87,7 @@ Result<SectionMissionResult> drive_section_mission(const SimulationSetting& sett
                                                    const SectionMissionOptions& options,
                                                    std::optional<SessionRecord>& session,
                                                    Progress& progress) {
-  const Pose2 T_map_start = navigator.path().at(0).T_map_path,
-              T_map_end = navigator.path().pieces().back().end();
+  const Pose2 T_map_start = navigator.path().at(0).T_map_path, T_map_end = navigator.path().end();
   const Pose2 T_world_set_down = set_down(
       setting, about(options.T_world_map * T_map_start, options.start_sigma_m, options.start_sigma_rad),
       options.seed);

@@ -184,7 +184,7 @@ void ExplorerNavigator::begin_search() {
   searched_m2_ = learner_.floor().free_m2();
   if (driver_.has_path()) shorten_path(params_.join_m);
   const Path& path = driver_.path();
-  const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.at(path.length_m()).T_map_path;
+  const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.end();
   target_search_.look_for(*target_, T_map_from, tries_, may_end_at_home(T_map_from));
   const bool is_path = target_->kind == ExploringTarget::Kind::kPath;
   if (target_search_.leads_home() && driver_.has_path()) {

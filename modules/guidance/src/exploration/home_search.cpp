@@ -36,7 +36,7 @@ void HomeSearch::look_for_near(const FloorGrid& floor, const FloorClearance& cle
 Path HomeSearch::path() const {
   Path found = search_.path();
   if (!leads_home() || run_in_.length_m == 0) return found;
-  const Pose2 T_map_begin = found.empty() ? T_map_run_in() : found.pieces().back().end();
+  const Pose2 T_map_begin = found.empty() ? T_map_run_in() : found.end();
   return found.followed_by(Path({{T_map_begin, run_in_}}));
 }
 

@@ -47,7 +47,7 @@ double PlaceParking::steering_rad(const PathPoint& point, const Pose2& T_map_veh
 }
 
 Decision PlaceParking::settle(const Pose2& T_map_vehicle, bool is_taken) {
-  const Pose2 off = between(path_.pieces().back().end(), T_map_vehicle);
+  const Pose2 off = between(path_.end(), T_map_vehicle);
   const auto is_within = [&](double lateral_m, double turned_rad) {
     return std::abs(off.y) <= lateral_m && std::abs(off.theta) <= turned_rad;
   };

@@ -47,7 +47,7 @@ Decision RoomNavigator::back_into_frame(double now_s) {
 
 Pose2 RoomNavigator::T_map_taught_frame() const {
   const Footprint& footprint = vehicle_.footprint;
-  return route_.path.pieces().back().end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
+  return route_.path.end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
 }
 
 /// The taught end lies in the frame, whatever the edges say.
@@ -131,7 +131,7 @@ bool RoomNavigator::is_beyond_dead_end() const {
 }
 
 bool RoomNavigator::is_place_taken() const {
-  const Pose2 T_due_vehicle = between(route_.path.pieces().back().end(), pose());
+  const Pose2 T_due_vehicle = between(route_.path.end(), pose());
   const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   return std::any_of(around.begin(), around.end(), [&](const Vec2& p) {
     return off_footprint_m(vehicle_.footprint, T_due_vehicle * p) < params_.steering.margin_m;
@@ -140,7 +140,7 @@ bool RoomNavigator::is_place_taken() const {
 
 /// Path left to the end of the route; near the end, along the last leg and negative beyond it.
 double RoomNavigator::left_to_end_m() const {
-  const double straight_m = between(pose(), route_.path.pieces().back().end()).x;
+  const double straight_m = between(pose(), route_.path.end()).x;
   constexpr double kLastLeg_m = 1;
   return left_m() > kLastLeg_m ? left_m() : straight_m;
 }

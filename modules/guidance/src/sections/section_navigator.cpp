@@ -92,7 +92,7 @@ Pose2 SectionNavigator::pose_on_path() const {
 /// correct its heading.
 Decision SectionNavigator::take_last_heading(double stamp_s) {
   const double step_rad = vehicle_.differential.step_length_m() / vehicle_.differential.wheel_separation_m;
-  const double path_rad = guided_.path.pieces().back().end().theta;
+  const double path_rad = guided_.path.end().theta;
   const double yaw_error_rad = localiser_.start_pose().theta - guided_.path.at(0).T_map_path.theta;
   const double due_rad = wrap_angle(path_rad + (guided_.comes_home ? yaw_error_rad : 0));
   if (std::abs(wrap_angle(due_rad - pose().theta)) >= step_rad) {

@@ -26,7 +26,7 @@ TEST_F(PathsHome, EndExactlyThereAfterAStraightMetre) {
     const Path path = found();
     EXPECT_TRUE(home_search_.leads_home());
     ASSERT_FALSE(path.empty());
-    const Pose2 off = between(T_map_home_, path.pieces().back().end());
+    const Pose2 off = between(T_map_home_, path.end());
     EXPECT_LT(off.position().norm(), 1e-6);
     EXPECT_NEAR(off.theta, 0, 1e-6);
     EXPECT_NEAR(path.pieces().back().arc.length_m, from_x_m < T_map_home_.x ? 1 : -1, 0.3);
@@ -39,9 +39,9 @@ TEST_F(PathsHome, NearHomeIsNotHome) {
   const Path path = found();
   EXPECT_FALSE(home_search_.leads_home());
   ASSERT_FALSE(path.empty());
-  const Pose2 off = between(T_map_home_, path.pieces().back().end());
+  const Pose2 off = between(T_map_home_, path.end());
   EXPECT_LT(off.position().norm(), HomeSearch::kNear_m);
-  EXPECT_FALSE(stands_at_home(T_map_home_, path.pieces().back().end()));
+  EXPECT_FALSE(stands_at_home(T_map_home_, path.end()));
 }
 
 TEST_F(PathsHome, AStageOfAFarPathDoesNotLeadHomeYet) {

@@ -55,7 +55,7 @@ TEST_F(OnATrail, ThePathBackIsWhatWasDrivenInReverse) {
   EXPECT_NEAR(back.length_m(), 4.5, 0.1);
   for (double along_m = 0; along_m < back.length_m(); along_m += 0.1)
     EXPECT_LT(off_trail_m(back.at(along_m).T_map_path.position()), 0.04) << along_m;
-  const Pose2 off = between(T_map_driven_.front(), back.pieces().back().end());
+  const Pose2 off = between(T_map_driven_.front(), back.end());
   EXPECT_LT(off.position().norm(), 0.06);
   EXPECT_LT(std::abs(off.theta), 3 * kDegree);
   EXPECT_GT(back.pieces().front().arc.length_m, 0) << "where it came backwards it leaves forwards";
@@ -68,7 +68,7 @@ TEST_F(OnATrail, IsDrivenBackInSegmentsAndForgotten) {
   const Path segment = trail_.path_back(T_map_driven_.back(), 2, everywhere);
   EXPECT_NEAR(segment.length_m(), 2, 0.21);
   go_back(segment, segment.length_m());
-  const Pose2 T_map_there = segment.pieces().back().end();
+  const Pose2 T_map_there = segment.end();
   EXPECT_NEAR(trail_.path_back(T_map_there, 100, everywhere).length_m(), 5 - segment.length_m(), 0.15);
 }
 
@@ -88,7 +88,7 @@ TEST_F(OnATrail, StillLeadsToTheStartAfterABranchHalfwayBack) {
   drive({1, 0.9});
   const Path home = trail_.path_back(T_map_driven_.back(), 100, everywhere);
   EXPECT_NEAR(home.length_m(), 2.5, 0.1);
-  EXPECT_LT((home.pieces().back().end().position() - T_map_driven_.front().position()).norm(), 0.06);
+  EXPECT_LT((home.end().position() - T_map_driven_.front().position()).norm(), 0.06);
 }
 
 TEST_F(OnATrail, FollowsItsScansAfterALoopClosure) {
@@ -98,7 +98,7 @@ TEST_F(OnATrail, FollowsItsScansAfterALoopClosure) {
   for (const Pose2& T : T_map_driven_) T_again_driven.push_back(T_again_map * T);
   trail_.lay_again(T_again_driven);
   const Path back = trail_.path_back(T_again_driven.back(), 100, everywhere);
-  EXPECT_LT((back.pieces().back().end().position() - T_again_driven.front().position()).norm(), 0.06);
+  EXPECT_LT((back.end().position() - T_again_driven.front().position()).norm(), 0.06);
 }
 
 }  // namespace

@@ -61,13 +61,13 @@ TEST_F(PathDriving, ArrivesAtThePathsEndThereAndBack) {
   const Path taken = path_of({{3, 0}, {2, 1}, {-2, 0.5}}, T_map_vehicle_);
   driver_.take(taken);
   EXPECT_EQ(drive_on(), PathDriver::State::kArrived);
-  EXPECT_LT((T_map_vehicle_.position() - taken.pieces().back().end().position()).norm(), 0.08);
+  EXPECT_LT((T_map_vehicle_.position() - taken.end().position()).norm(), 0.08);
 }
 
 TEST_F(PathDriving, DrivesAContinuedPathWithoutAStop) {
   driver_.take(path_of({{2, 0}}, T_map_vehicle_));
   while (driver_.left_m() > 1) ASSERT_EQ(cycle().state, PathDriver::State::kDriving);
-  driver_.take(path_of({{3, 0}}, driver_.path().pieces().back().end()));
+  driver_.take(path_of({{3, 0}}, driver_.path().end()));
   while (driver_.left_m() > 1) ASSERT_GT(cycle().command.speed_mps, 0.1);
   EXPECT_GT(T_map_vehicle_.x, 5.5);
 }

@@ -45,7 +45,7 @@ TEST(GuidedPath, OnTheWayBackSidesSwapAndThePreviousSectionGivesTheWallAhead) {
 
 TEST(GuidedPath, ThereAndBackEndsAsItBegan) {
   const GuidedPath guided = guided_path(kRoundTheCorner, {}, SectionRun::kThereAndBack);
-  const Pose2 T_end = guided.path.pieces().back().end();
+  const Pose2 T_end = guided.path.end();
   EXPECT_NEAR(T_end.position().norm(), 0, 1e-9);
   EXPECT_NEAR(wrap_angle(T_end.theta), 0, 1e-9);
   EXPECT_EQ(guided.guides.size(), guided.path.pieces().size());

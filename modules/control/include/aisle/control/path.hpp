@@ -54,6 +54,9 @@ class Path {
 
   /// @param along_m  0 .. length_m(), else the nearer end. Where two pieces meet, the later one's start.
   PathPoint at(double along_m) const;
+  /// Pose at the end, after a turn on the spot there; at(length_m()) is before it. The path must not be
+  /// empty.
+  Pose2 end() const { return pieces_.back().end(); }
 
   /// The nearest point among those from `from_m` to `to_m` along the path: a path that crosses itself is
   /// followed, not cut short. The first of equally near ones. The path must not be empty.

@@ -27,8 +27,8 @@ class MissionRecord {
 
 struct MissionEnd {
   bool arrived = false;
-  std::string state;  ///< of the last decision, as is `why`
-  std::string why;
+  std::string state;  ///< of the last decision
+  std::string why;    ///< of the last decision, or of the vehicle if that ended the mission
   std::size_t cycles = 0;
   double duration_s = 0;  ///< by the observations' stamps
 };

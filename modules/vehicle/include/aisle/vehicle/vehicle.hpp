@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "aisle/vehicle/command.hpp"
 #include "aisle/vehicle/observation.hpp"
@@ -19,6 +20,10 @@ class Vehicle {
   /// Waits for the next cycle.
   /// @return nullopt if there is no next cycle: the recording ended, the connection is lost
   virtual std::optional<Observation> sense() = 0;
+
+  /// Why sense() returned nullopt, as one line for people: "the recording ended". Empty before, and for a
+  /// vehicle that never ends.
+  virtual std::string end_reason() const { return {}; }
 
   /// Takes effect at once and until the next command, or until it is too old. A value that is not finite
   /// means: stop.

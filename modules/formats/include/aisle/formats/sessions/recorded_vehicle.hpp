@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "aisle/formats/sessions/session_cycles.hpp"
@@ -18,6 +19,9 @@ class RecordedVehicle final : public Vehicle {
 
   /// nullopt also if the session cannot be read any further; problems() then says why.
   std::optional<Observation> sense() override;
+  std::string end_reason() const override {
+    return problems_.empty() ? "the recording ended" : to_string(problems_.front());
+  }
   void act(const Command& /*command*/) override {}
 
   /// The decision that was recorded for the latest observation.
