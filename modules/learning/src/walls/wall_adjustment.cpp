@@ -3,10 +3,10 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "aisle/core/square.hpp"
+#include "walls/wall_residuals.hpp"
 
 namespace aisle {
 namespace {
@@ -143,16 +143,11 @@ void WallAdjustment::add_motions() {
   Eigen::VectorXd& gradient = solver_->gradient;
   for (std::size_t k = 0; k + 1 < keyframes_.size(); ++k) {
     const Pose2 tracked = relative_pose(keyframes_[k], keyframes_[k + 1], odometry_factor_);
-    const Pose2 present = between(T_map_sensor_[k], T_map_sensor_[k + 1]);
+    const auto [off, by_from, by_to] = MotionResidual(T_map_sensor_[k], T_map_sensor_[k + 1], tracked);
     Mat3 covariance = motion_.covariance(tracked);
     if (keyframes_[k + 1].relocated) covariance.diagonal().array() += kRelocatedVariance;
     Mat3 information = covariance.inverse();
-    const Vec3 off(present.x - tracked.x, present.y - tracked.y, wrap_angle(present.theta - tracked.theta));
     information *= 1 / (1 + off.dot(information * off) / kMotionCauchy2);
-    const double c = std::cos(T_map_sensor_[k].theta), s = std::sin(T_map_sensor_[k].theta);
-    Mat3 by_from, by_to;
-    by_from << -c, -s, present.y, s, -c, -present.x, 0, 0, -1;
-    by_to << c, s, 0, -s, c, 0, 0, 0, 1;
     const Mat3 from_from = by_from.transpose() * information * by_from;
     const Mat3 to_to = by_to.transpose() * information * by_to;
     const Mat3 to_from = by_to.transpose() * information * by_from;
@@ -177,11 +172,7 @@ void WallAdjustment::add_observations() {
   for (const Observation& o : observations_) {
     if (o.wall < 0 || unknown_of_wall_[static_cast<std::size_t>(o.wall)] < 0) continue;
     const WallEstimate& wall = walls_[static_cast<std::size_t>(o.wall)];
-    const Pose2& pose = T_map_sensor_[o.keyframe];
-    const Vec2 lever = rotate(pose.theta, o.segment->centroid);
-    const Vec2 centroid = lever + pose.position();
-    const double offset_m = wall.offset_of(centroid);
-    const double turn_rad = wrap_angle(pose.theta + o.segment->heading_rad - wall.heading_rad);
+    const auto [offset_m, turn_rad, jacobian] = SegmentResidual(*o.segment, T_map_sensor_[o.keyframe], wall);
     double offset_variance = square(o.segment->sigma_offset_m) + square(kWallSigma_m);
     double heading_variance = square(o.segment->sigma_heading_rad) + square(kWallSigma_rad);
     if (wall.is_oblique()) {
@@ -194,8 +185,6 @@ void WallAdjustment::add_observations() {
     const std::size_t keyframe = 3 * o.keyframe;
     const auto unknown = static_cast<std::size_t>(unknown_of_wall_[static_cast<std::size_t>(o.wall)]);
     const std::size_t at[5] = {keyframe, keyframe + 1, keyframe + 2, unknown, unknown + 1};
-    const double jacobian[5] = {wall.normal.x(), wall.normal.y(), wall.normal.dot(left_normal(lever)), -1,
-                                -wall.along.dot(centroid - wall.anchor)};
     const std::size_t count = wall.is_oblique() ? 5 : 4;
     for (std::size_t i = 0; i < count; ++i) {
       gradient(static_cast<Eigen::Index>(at[i])) += offset_weight * offset_m * jacobian[i];
