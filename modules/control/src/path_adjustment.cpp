@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "loose_piece_slopes.hpp"
 
 namespace aisle {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Kind = LoosePiece::Kind;
 
 constexpr double kShortest_m = 1e-3;
-constexpr int kUnknowns = 5;  ///< of a piece: x, y, theta of its start, length, turn
+constexpr int kUnknowns = kPieceUnknowns;
 constexpr int kOfNext = kUnknowns;
 
 /// How a residual changes with the unknowns of a piece and, from `kOfNext` on, with those of the next.
@@ -60,21 +61,6 @@ class NormalEquations {
   Eigen::VectorXd gradient_;
   double cost_ = 0;
 };
-
-/// How the point at `share` (0 .. 1) of a piece changes with the unknowns of the piece.
-Eigen::Matrix<double, 3, kUnknowns> place_slopes(const LoosePiece& piece, double share) {
-  const Arc part{share * piece.arc().length_m, share * piece.turn_rad};
-  const Vec2 lever = rotate(piece.T_map_start.theta, end_pose(part).position());
-  const Mat32 by_part = end_pose_jacobian(part);
-  Eigen::Matrix<double, 3, kUnknowns> slopes;
-  slopes.leftCols<3>().setIdentity();
-  slopes.col(2) << left_normal(lever), 1;
-  slopes.rightCols<2>() = share * by_part;
-  slopes.topRightCorner<2, 2>() = rotation(piece.T_map_start.theta) * slopes.topRightCorner<2, 2>().eval();
-  slopes.col(3) *= piece.kind == Kind::kTurnOnTheSpot ? 0 : piece.direction;
-  slopes.col(4) *= piece.kind == Kind::kLine ? 0 : 1;
-  return slopes;
-}
 
 /// The end of a piece is the start of the next.
 void add_joint(NormalEquations& equations, const LoosePath& loose, std::size_t k, double weight) {
