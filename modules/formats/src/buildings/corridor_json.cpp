@@ -81,6 +81,10 @@ Corridor read_corridor(const JsonValue& value, const std::vector<CorridorNode>& 
   const auto former_path = value.find(kFormerPathKey);
   const auto path = former_path ? former_path : value.require("path_m");
   if (!path) return corridor;
+  if (former_path && value.find("path_m")) {
+    former_path->wrong("is the former name of `path_m`, which is there too: one of them is needed");
+    return corridor;
+  }
   corridor.path = read_path(*path);
   if (corridor.path.size() < 2) {
     path->wrong("has less than two points");

@@ -89,6 +89,8 @@ TEST(BuildingCorridors, BadCorridorsNameTheirKeys) {
               HasSubstr("corridors.corridors[0].path_m: has less than two points"));
   EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0], [4, 1]]")),
               HasSubstr("corridors.corridors[0].path_m: does not lead from the node `from`"));
+  EXPECT_THAT(building_problems(corridors_with("\"length_m\": 6.25", "\"way_m\": [[4, 0], [4, 6.25]]")),
+              HasSubstr("corridors.corridors[1].way_m: is the former name of `path_m`"));
   EXPECT_THAT(building_problems(corridors_with("\"length_m\": 6.25", "\"length_m\": 7")),
               HasSubstr("corridors.corridors[1].length_m: is not the length of the path, 6.25"));
   EXPECT_THAT(building_problems(corridors_with("\"width_m\": 1.6", "\"width_m\": -1")),
