@@ -8,7 +8,7 @@ using namespace aisle;
 namespace {
 
 void check(const LaserLog& log) {
-  require(!log.scans.empty() && log.laser.T_vehicle_laser.is_finite());
+  require(!log.scans.empty() && log.laser().T_vehicle_laser.is_finite());
   double time_s = log.scans.front().time_s;
   for (const LaserScan& scan : log.scans) {
     require(scan.ranges_m.size() == log.scans.front().ranges_m.size());

@@ -54,7 +54,7 @@ TEST_F(PoorLog, WithoutAnyReading) {
 
 TEST_F(PoorLog, WithNothingInReach) {
   for (LaserScan& scan : log_.scans) {
-    std::fill(scan.ranges_m.begin(), scan.ranges_m.end(), static_cast<float>(log_.laser.range_max_m));
+    std::fill(scan.ranges_m.begin(), scan.ranges_m.end(), static_cast<float>(log_.laser().range_max_m));
   }
   expect_finite_poses();
 }

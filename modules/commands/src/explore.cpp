@@ -111,7 +111,7 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
   const double height_m = vehicle.laser_markers ? vehicle.laser_markers->height_m
                                                 : plan.setting.vehicle.simulated.scanner.height_m;
   const SensorField field =
-      field_of(log.laser, log.scans.front().ranges_m.size(), plan.params.learner.view.reach_m, height_m);
+      field_of(log.laser(), log.scans.front().ranges_m.size(), plan.params.learner.view.reach_m, height_m);
   const ExplorationScore truth = evaluate_exploration(
       plan.setting.world, vehicle, field,
       {mission->T_world_scan, map_in_world(map.T_map_vehicle, mission->T_world_scan), floor, map.walls});

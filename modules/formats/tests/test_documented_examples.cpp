@@ -37,7 +37,7 @@ TEST(DocumentedExamples, TheCarmenLogIsRead) {
   ASSERT_TRUE(carmen.ok()) << to_string(carmen.problems());
   EXPECT_THAT(carmen->warnings, IsEmpty());
   EXPECT_THAT(carmen->log.scans, SizeIs(2));
-  EXPECT_THAT(carmen->log.laser.T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 0, 0));
+  EXPECT_THAT(carmen->log.laser().T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 0, 0));
 }
 
 TEST(DocumentedExamples, BothFormsOfRelationsAreReadAndSayTheSame) {

@@ -16,6 +16,15 @@ void LaserScanner::describe(FieldList& fields) {
   fields.angle("mount_heading_deg", T_vehicle_laser.theta, {-180, 180}, "scanner turned against the vehicle");
 }
 
+LaserScanner LaserLog::laser_of(const LaserScan& scan) const {
+  LaserScanner laser = lasers[scan.laser];
+  if (scan.beams) {
+    laser.first_angle_rad = scan.beams->first_angle_rad;
+    laser.angle_step_rad = scan.beams->angle_step_rad;
+  }
+  return laser;
+}
+
 double LaserLog::scan_period_s() const {
   if (scans.size() < 2) return 0;
   std::vector<double> steps(scans.size() - 1);

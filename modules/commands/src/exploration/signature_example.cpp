@@ -42,13 +42,13 @@ double displacement_m(const Signature& sensed, Signature learned) {
 
 SignatureExample signature_example(const LaserLog& log, const std::vector<Pose2>& T_map_vehicle,
                                    const WallMap& walls, const SegmentParams& segments) {
-  RangeSegmenter segmenter(scan_geometry(log.laser), segments);
+  RangeSegmenter segmenter(scan_geometry(log.laser()), segments);
   std::vector<Segment2> view;
   Vec2 p_map_seen_from = Vec2::Zero();
   std::vector<SensedSegment> seen;
   for (std::size_t scan = 0; scan < log.scans.size(); scan += kEveryView) {
     segmenter.extract(log.scans[scan].ranges_m, seen);
-    std::vector<Segment2> candidate = placed(seen, T_map_vehicle[scan] * log.laser.T_vehicle_laser);
+    std::vector<Segment2> candidate = placed(seen, T_map_vehicle[scan] * log.laser().T_vehicle_laser);
     if (!view.empty() && least_seen_m(candidate) <= least_seen_m(view)) continue;
     view = std::move(candidate);
     p_map_seen_from = T_map_vehicle[scan].position();

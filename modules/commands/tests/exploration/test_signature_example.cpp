@@ -32,7 +32,7 @@ WallMap room() {
 TEST(SignatureExample, TheViewIsCarriedBackOntoTheWalls) {
   const std::vector<Pose2> T_map_vehicle = {{3.3, 2.1, 0.4}};
   LaserLog log;
-  log.laser = {.first_angle_rad = 0, .angle_step_rad = kDegree, .range_max_m = 30};
+  log.laser() = {.first_angle_rad = 0, .angle_step_rad = kDegree, .range_max_m = 30};
   log.scans = {turn_in_the_room(T_map_vehicle.front())};
   const SignatureExample example = signature_example(log, T_map_vehicle, room(), {});
   EXPECT_GE(example.sensed.walls.size(), 4U);

@@ -210,7 +210,7 @@ void CarmenParser::forget_odometry() {
 }
 
 void CarmenParser::settle_scanner() {
-  LaserScanner& laser = log_.laser;
+  LaserScanner& laser = log_.laser();
   const BeamAngles angles =
       beam_angles_.value_or(flaser_beam_angles(log_.scans.front().ranges_m.size(), params_.resolution_deg));
   laser.first_angle_rad = angles.first_angle_rad;

@@ -31,7 +31,7 @@ double median_reading_m(const LaserLog& log) {
   std::vector<float> seen_m;
   for (std::size_t i = 0; i < log.scans.size(); i += stride) {
     for (const float range_m : log.scans[i].ranges_m) {
-      const bool is_mark = range_m >= log.laser.range_max_m && range_m < 2 * log.laser.range_max_m;
+      const bool is_mark = range_m >= log.laser().range_max_m && range_m < 2 * log.laser().range_max_m;
       if (range_m > 0 && !is_mark) seen_m.push_back(range_m);
     }
   }

@@ -21,10 +21,10 @@ void check_expressible(const LaserLog& log) {
   const std::size_t beams = log.scans.front().ranges_m.size();
   if (beams < 2) throw std::invalid_argument(fmt::format("carmen_text: scans of {} beams", beams));
   const BeamAngles angles = flaser_beam_angles(beams, std::nullopt);
-  if (std::abs(angles.first_angle_rad - log.laser.first_angle_rad) > 1e-9 ||
-      std::abs(angles.angle_step_rad - log.laser.angle_step_rad) > 1e-9) {
+  if (std::abs(angles.first_angle_rad - log.laser().first_angle_rad) > 1e-9 ||
+      std::abs(angles.angle_step_rad - log.laser().angle_step_rad) > 1e-9) {
     throw std::invalid_argument(fmt::format("carmen_text: {} beams from {} rad by {} rad are not FLASER's",
-                                            beams, log.laser.first_angle_rad, log.laser.angle_step_rad));
+                                            beams, log.laser().first_angle_rad, log.laser().angle_step_rad));
   }
   for (const LaserScan& scan : log.scans) {
     if (scan.ranges_m.size() != beams) {
@@ -38,7 +38,7 @@ void check_expressible(const LaserLog& log) {
 
 std::string carmen_text(const LaserLog& log) {
   check_expressible(log);
-  const Pose2& T_vehicle_laser = log.laser.T_vehicle_laser;
+  const Pose2& T_vehicle_laser = log.laser().T_vehicle_laser;
   std::string text = fmt::format(
       "# FLASER num_readings [ranges] x y theta odom_x odom_y odom_theta ipc_timestamp host "
       "logger_timestamp\n"
@@ -47,7 +47,7 @@ std::string carmen_text(const LaserLog& log) {
       "PARAM robot_frontlaser_angular_offset {}\n"
       "PARAM robot_front_laser_max {}\n",
       T_vehicle_laser.x, T_vehicle_laser.y, T_vehicle_laser.theta,
-      log.laser.range_max_m / kUsableShareOfMaximum);
+      log.laser().range_max_m / kUsableShareOfMaximum);
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     const LaserScan& scan = log.scans[i];

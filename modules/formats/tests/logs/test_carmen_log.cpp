@@ -64,14 +64,14 @@ TEST(CarmenLog, FlaserBeamsRunFromTheRightToTheLeft) {
 
 TEST(CarmenLog, TheResolutionParameterDecidesWhereTheCountIsAmbiguous) {
   const LaserLog log = parsed(flaser(1) + "PARAM laser_front_laser_resolution 10 nohost 0\n").log;
-  EXPECT_NEAR(log.laser.angle_step_rad, 10 * kDegree, 1e-12);
-  EXPECT_NEAR(log.laser.beam_angle(1), 0, 1e-12);
+  EXPECT_NEAR(log.laser().angle_step_rad, 10 * kDegree, 1e-12);
+  EXPECT_NEAR(log.laser().beam_angle(1), 0, 1e-12);
 }
 
 TEST(CarmenLog, WithRawScansTheOdometryIsThatOfTheOdomLines) {
   const LaserLog log = parsed(odom(0, 1) + rawlaser(1.05) + odom(0.5, 2) + odom(1, 3) + rawlaser(3.05)).log;
-  EXPECT_NEAR(log.laser.first_angle_rad, -1, 1e-12);
-  EXPECT_NEAR(log.laser.angle_step_rad, 1, 1e-12);
+  EXPECT_NEAR(log.laser().first_angle_rad, -1, 1e-12);
+  EXPECT_NEAR(log.laser().angle_step_rad, 1, 1e-12);
   ASSERT_THAT(log.scans, SizeIs(2));
   EXPECT_EQ(log.scans[0].odometry_known, 1U);
   EXPECT_EQ(log.scans[1].odometry_known, 3U);
@@ -86,9 +86,9 @@ TEST(CarmenLog, ARobotLaserLineHasItsOwnPosesAndMounting) {
           "ROBOTLASER1 0 -1.0 2.0 1.0 10.0 0.01 0 3 1 2 3 2 7 8 1.5 2 0 1 2 0 0.1 0 0.2 0.3 1e6 5 host 5\n")
           .log;
   EXPECT_THAT(log.odometry.at(0).T_odom_vehicle, PoseNear(Pose2{1, 2, 0}, 0, 0));
-  EXPECT_THAT(log.laser.T_vehicle_laser, PoseNear(Pose2{0.5, 0, 0}, 1e-12, 1e-12));
-  EXPECT_LT(log.laser.range_max_m, 10);
-  EXPECT_GT(log.laser.range_max_m, 9);
+  EXPECT_THAT(log.laser().T_vehicle_laser, PoseNear(Pose2{0.5, 0, 0}, 1e-12, 1e-12));
+  EXPECT_LT(log.laser().range_max_m, 10);
+  EXPECT_GT(log.laser().range_max_m, 9);
 }
 
 TEST(CarmenLog, OnlyTheFirstKindOfScanCounts) {
@@ -101,16 +101,16 @@ TEST(CarmenLog, TheMountingIsTheUsersElseTheParametersElseThatOfThePoses) {
   const std::string scan = "FLASER 3 1 2 3 1.1 0 0 1 0 0 1 host 1\n";
   const std::string params =
       "PARAM robot_frontlaser_offset 0.2 host 1\nPARAM robot_frontlaser_side_offset 0.3 host 1\n";
-  EXPECT_THAT(parsed(scan).log.laser.T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 1e-12, 0));
-  EXPECT_THAT(parsed(scan + params).log.laser.T_vehicle_laser, PoseNear(Pose2{0.2, 0.3, 0}, 1e-12, 0));
+  EXPECT_THAT(parsed(scan).log.laser().T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 1e-12, 0));
+  EXPECT_THAT(parsed(scan + params).log.laser().T_vehicle_laser, PoseNear(Pose2{0.2, 0.3, 0}, 1e-12, 0));
   CarmenOptions options;
   options.T_vehicle_laser = Pose2{0.5, 0, 1};
-  EXPECT_THAT(parsed(scan + params, options).log.laser.T_vehicle_laser, PoseNear(Pose2{0.5, 0, 1}, 0, 0));
+  EXPECT_THAT(parsed(scan + params, options).log.laser().T_vehicle_laser, PoseNear(Pose2{0.5, 0, 1}, 0, 0));
 }
 
 TEST(CarmenLog, CorrectedLaserPosesTellNothingAboutTheMounting) {
   const std::string text = "FLASER 3 1 2 3 1.1 0 0 1 0 0 1 host 1\nFLASER 3 1 2 3 2.3 0 0 2 0 0 2 host 1\n";
-  EXPECT_THAT(parsed(text).log.laser.T_vehicle_laser, PoseNear(Pose2{}, 0, 0));
+  EXPECT_THAT(parsed(text).log.laser().T_vehicle_laser, PoseNear(Pose2{}, 0, 0));
 }
 
 TEST(CarmenLog, InCentimetresEveryLengthIsAHundredthOfAMetre) {
@@ -122,7 +122,7 @@ TEST(CarmenLog, InCentimetresEveryLengthIsAHundredthOfAMetre) {
           .log;
   EXPECT_THAT(log.scans[0].ranges_m, ElementsAre(1.5F, 2, 3));
   EXPECT_THAT(log.odometry[0].T_odom_vehicle, PoseNear(Pose2{1, 2, 0.5}, 1e-12, 0));
-  EXPECT_NEAR(log.laser.T_vehicle_laser.x, 0.25, 1e-12);
+  EXPECT_NEAR(log.laser().T_vehicle_laser.x, 0.25, 1e-12);
 }
 
 TEST(CarmenLog, WrongUnitsAreWarnedOf) {
@@ -136,11 +136,11 @@ TEST(CarmenLog, WrongUnitsAreWarnedOf) {
 }
 
 TEST(CarmenLog, ARepeatedLargestReadingMeansNothingSeen) {
-  const double range_max_m = parsed(flaser(1, "2 50 50") + flaser(2, "50 3 4")).log.laser.range_max_m;
+  const double range_max_m = parsed(flaser(1, "2 50 50") + flaser(2, "50 3 4")).log.laser().range_max_m;
   EXPECT_LT(range_max_m, 50);
   EXPECT_GT(range_max_m, 45);
-  EXPECT_GT(parsed(flaser(1, "2 5 6")).log.laser.range_max_m, 6);
-  EXPECT_NEAR(parsed(flaser(1, "2 5 6") + "PARAM robot_front_laser_max 8\n").log.laser.range_max_m, 8, 0.5);
+  EXPECT_GT(parsed(flaser(1, "2 5 6")).log.laser().range_max_m, 6);
+  EXPECT_NEAR(parsed(flaser(1, "2 5 6") + "PARAM robot_front_laser_max 8\n").log.laser().range_max_m, 8, 0.5);
 }
 
 TEST(CarmenLog, InfiniteReadingsAreNothingSeen) {

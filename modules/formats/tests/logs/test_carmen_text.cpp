@@ -13,9 +13,9 @@ namespace {
 LaserLog any_log(Random& random) {
   const auto beams = static_cast<std::size_t>(random.uniform(2, 400));
   LaserLog log;
-  log.laser = flaser_scanner(beams);
-  log.laser.range_max_m = random.uniform(5, 80);
-  log.laser.T_vehicle_laser = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-3, 3)};
+  log.laser() = flaser_scanner(beams);
+  log.laser().range_max_m = random.uniform(5, 80);
+  log.laser().T_vehicle_laser = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-3, 3)};
   double time_s = random.uniform(0, 2e9);
   for (std::size_t i = 0; i < 1 + random.index(5); ++i) {
     LaserScan scan;
@@ -36,10 +36,10 @@ RC_GTEST_PROP(CarmenText, ReadingItGivesTheSameLog, (std::uint64_t seed)) {
   const auto again = parse_carmen_log(carmen_text(log), "written");
   RC_ASSERT(again.ok());
   const LaserLog& read = again->log;
-  RC_ASSERT(read.laser.first_angle_rad == log.laser.first_angle_rad);
-  RC_ASSERT(read.laser.angle_step_rad == log.laser.angle_step_rad);
-  RC_ASSERT(std::abs(read.laser.range_max_m - log.laser.range_max_m) < 1e-9);
-  RC_ASSERT(testing::Matches(PoseNear(log.laser.T_vehicle_laser, 0, 0))(read.laser.T_vehicle_laser));
+  RC_ASSERT(read.laser().first_angle_rad == log.laser().first_angle_rad);
+  RC_ASSERT(read.laser().angle_step_rad == log.laser().angle_step_rad);
+  RC_ASSERT(std::abs(read.laser().range_max_m - log.laser().range_max_m) < 1e-9);
+  RC_ASSERT(testing::Matches(PoseNear(log.laser().T_vehicle_laser, 0, 0))(read.laser().T_vehicle_laser));
   RC_ASSERT(read.scans.size() == log.scans.size());
   RC_ASSERT(read.odometry.size() == log.odometry.size());
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
@@ -59,7 +59,7 @@ TEST(CarmenText, RefusesWhatAFlaserLineCannotExpress) {
   without_odometry.odometry.pop_back();
   EXPECT_THROW(carmen_text(without_odometry), std::invalid_argument);
   LaserLog other_beams = any_log(random);
-  other_beams.laser.first_angle_rad += 0.1;
+  other_beams.laser().first_angle_rad += 0.1;
   EXPECT_THROW(carmen_text(other_beams), std::invalid_argument);
   LaserLog uneven = any_log(random);
   uneven.scans.push_back(uneven.scans.back());

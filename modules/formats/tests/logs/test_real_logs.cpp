@@ -24,11 +24,11 @@ TEST(RealLogs, Fr079HasItsScansBeamsAndNoReturnValue) {
   EXPECT_THAT(log.scans, SizeIs(4934));
   EXPECT_THAT(log.odometry, SizeIs(4934));
   EXPECT_THAT(log.scans, Each(Field(&LaserScan::ranges_m, SizeIs(360))));
-  EXPECT_NEAR(log.laser.first_angle_rad, -kPi / 2, 1e-12);
-  EXPECT_NEAR(log.laser.angle_step_rad, kPi / 360, 1e-12);
-  EXPECT_GT(log.laser.range_max_m, 60);
-  EXPECT_LT(log.laser.range_max_m, 81.91);
-  EXPECT_THAT(log.laser.T_vehicle_laser, PoseNear(Pose2{}, 0, 0));
+  EXPECT_NEAR(log.laser().first_angle_rad, -kPi / 2, 1e-12);
+  EXPECT_NEAR(log.laser().angle_step_rad, kPi / 360, 1e-12);
+  EXPECT_GT(log.laser().range_max_m, 60);
+  EXPECT_LT(log.laser().range_max_m, 81.91);
+  EXPECT_THAT(log.laser().T_vehicle_laser, PoseNear(Pose2{}, 0, 0));
   EXPECT_FLOAT_EQ(log.scans[0].ranges_m[0], 1.67F);
   EXPECT_DOUBLE_EQ(log.scans[0].stamp_s, 1211.520329);
   EXPECT_DOUBLE_EQ(log.scans.back().time_s, log.scans.back().stamp_s);
@@ -43,8 +43,8 @@ TEST(RealLogs, AcesHasItsScansBeamsAndNoReturnValue) {
   EXPECT_THAT(carmen->warnings, IsEmpty());
   EXPECT_THAT(log.scans, SizeIs(7374));
   EXPECT_THAT(log.scans, Each(Field(&LaserScan::ranges_m, SizeIs(180))));
-  EXPECT_NEAR(log.laser.angle_step_rad, kDegree, 1e-12);
-  EXPECT_NEAR(log.laser.range_max_m, 50, 2);
+  EXPECT_NEAR(log.laser().angle_step_rad, kDegree, 1e-12);
+  EXPECT_NEAR(log.laser().range_max_m, 50, 2);
 }
 
 TEST(RealLogs, Fr079RelationsByStampAreThoseByNumber) {

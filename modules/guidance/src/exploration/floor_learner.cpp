@@ -42,7 +42,7 @@ FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescri
       floor_(params.cell_m),
       clearance_(params.legs),
       cell_m_(params.cell_m) {
-  log_.laser = sensor_->scanner();
+  log_.laser() = sensor_->scanner();
 }
 
 FloorLearner::News FloorLearner::take(const Observation& observation) {

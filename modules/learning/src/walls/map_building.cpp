@@ -32,7 +32,7 @@ class MapBuilder {
         given_delay_s_(odometry_delay_s),
         odometry_(log.odometry),
         delay_(odometry_, log.scan_period_s()),
-        segmenter_(scan_geometry(log.laser), params.segments),
+        segmenter_(scan_geometry(log.laser()), params.segments),
         mapping_(params) {}
 
   void take_scan(std::size_t scan) {
@@ -83,7 +83,7 @@ class MapBuilder {
   }
 
   std::vector<Pose2> of_vehicle(std::vector<Pose2> T_map_sensor) const {
-    const Pose2 T_sensor_vehicle = log_.laser.T_vehicle_laser.inverse();
+    const Pose2 T_sensor_vehicle = log_.laser().T_vehicle_laser.inverse();
     for (Pose2& pose : T_map_sensor) pose = pose * T_sensor_vehicle;
     return T_map_sensor;
   }
@@ -108,7 +108,7 @@ class MapBuilder {
     for (const Keyframe& keyframe : mapping_.tracker().keyframes()) {
       scans.push_back({T_map_sensor[keyframe.scan], keyframe.path_m, &log_.scans[keyframe.scan]});
     }
-    return draw_walls(walls_, sightings_, scans, log_.laser, params_.drawn_length_m, params_.drawn_sightings);
+    return draw_walls(walls_, sightings_, scans, log_.laser(), params_.drawn_length_m, params_.drawn_sightings);
   }
 
   const std::vector<Pose2>& tracked() const { return mapping_.tracked(); }
@@ -127,7 +127,7 @@ class MapBuilder {
     delay_.add(now.time_s, now.odometry_known, clear ? std::optional(frame->heading_rad) : std::nullopt);
     if (scan == 0) return {};
     const auto sensor_at = [&](double time_s) {
-      return odometry_.at(time_s - delay_s(), now.odometry_known) * log_.laser.T_vehicle_laser;
+      return odometry_.at(time_s - delay_s(), now.odometry_known) * log_.laser().T_vehicle_laser;
     };
     return between(sensor_at(log_.scans[scan - 1].time_s), sensor_at(now.time_s));
   }

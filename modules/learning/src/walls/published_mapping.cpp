@@ -33,7 +33,7 @@ class PublishedMapper {
         params_(params),
         delay_s_(delay_s),
         odometry_(log.odometry),
-        segmenter_(scan_geometry(log.laser), segments),
+        segmenter_(scan_geometry(log.laser()), segments),
         correlator_(params.signature) {}
 
   void take_scan(std::size_t scan) {
@@ -63,7 +63,7 @@ class PublishedMapper {
 
   MapResult result() const {
     MapResult result;
-    const Pose2 T_sensor_vehicle = log_.laser.T_vehicle_laser.inverse();
+    const Pose2 T_sensor_vehicle = log_.laser().T_vehicle_laser.inverse();
     for (const Pose2& pose : trajectory_) result.T_map_vehicle.push_back(pose * T_sensor_vehicle);
     result.T_map_vehicle_online = result.T_map_vehicle;
     result.path_m = path_m_;
@@ -82,7 +82,7 @@ class PublishedMapper {
  private:
   Pose2 sensor_by_odometry(std::size_t scan) const {
     return odometry_.at(log_.scans[scan].time_s - delay_s_, log_.odometry.size()) *
-           log_.laser.T_vehicle_laser;
+           log_.laser().T_vehicle_laser;
   }
 
   /// Builds the local model: the scan's segments along an axis, at the estimated pose.
@@ -177,7 +177,7 @@ class PublishedMapper {
 
 std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments,
                                   double odometry_delay_s) {
-  RangeSegmenter segmenter(scan_geometry(log.laser), segments);
+  RangeSegmenter segmenter(scan_geometry(log.laser()), segments);
   std::vector<SensedSegment> seen;
   segmenter.extract(log.scans.front().ranges_m, seen);
   const auto frame = dominant_direction(seen);
@@ -185,7 +185,7 @@ std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segm
   const auto vehicle_at = [&](const LaserScan& scan) {
     return odometry.at(scan.time_s - odometry_delay_s, log.odometry.size());
   };
-  const double first_heading_rad = (frame ? -frame->heading_rad : 0) - log.laser.T_vehicle_laser.theta;
+  const double first_heading_rad = (frame ? -frame->heading_rad : 0) - log.laser().T_vehicle_laser.theta;
   const Pose2 T_map_odom = Pose2{0, 0, first_heading_rad} * vehicle_at(log.scans.front()).inverse();
   std::vector<Pose2> poses;
   for (const LaserScan& scan : log.scans) poses.push_back(T_map_odom * vehicle_at(scan));

@@ -55,7 +55,7 @@ TourRecording record_tour(const World& world, const TourParams& params, std::uin
   const RangeScanner scanner(world, params.scanner);
 
   TourRecording recording;
-  recording.log.laser = scanner.description();
+  recording.log.laser() = scanner.description();
   const auto last = static_cast<std::size_t>(run.duration_s() / params.scan_period_s);
   for (std::size_t i = 0; i <= last; ++i) {
     const double time_s = static_cast<double>(i) * params.scan_period_s;

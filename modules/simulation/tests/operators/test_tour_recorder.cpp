@@ -53,7 +53,7 @@ TEST(TourRecorder, ScansAreTakenAtTheTruePoses) {
   const TourRecording recording = recorded(square_room_with_a_round_trip());
   for (std::size_t i = 0; i < recording.log.scans.size(); ++i) {
     const double ahead_m = recording.log.scans[i].ranges_m[90];
-    if (ahead_m >= recording.log.laser.range_max_m) continue;
+    if (ahead_m >= recording.log.laser().range_max_m) continue;
     const Vec2 p_world_hit = recording.T_world_vehicle[i] * Vec2(ahead_m, 0);
     EXPECT_NEAR(p_world_hit.cwiseAbs().maxCoeff(), 5, 0.06);
   }

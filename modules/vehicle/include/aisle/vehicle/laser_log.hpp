@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "aisle/core/angle.hpp"
@@ -26,23 +27,40 @@ struct LaserScanner {
 /// The half circle ahead in steps of a degree, up to 30 m.
 inline constexpr LaserScanner kOneReadingADegree{-90 * kDegree, 1 * kDegree, 30, {}};
 
+/// The beams of one scan where they differ from its scanner's, in the laser's frame.
+struct ScanBeams {
+  double first_angle_rad = 0;
+  double angle_step_rad = 0;  ///< counter-clockwise: positive
+  double period_s = 0;        ///< from one beam to the next; negative: beam 0 was measured last
+};
+
 struct LaserScan {
   double stamp_s = 0;  ///< as recorded; recorded clocks may jump back
-  double time_s = 0;   ///< never decreasing: the recorded clock where it makes sense, mended where not
-  std::vector<float> ranges_m;     ///< one a beam; 0: nothing usable
-  std::size_t odometry_known = 0;  ///< how many odometry samples had been recorded when this scan was
+  double time_s = 0;   ///< of the middle beam; never decreasing: the recorded clock where it makes sense,
+                      ///< mended where not
+  std::vector<float> ranges_m;          ///< one a beam; 0: nothing usable
+  std::size_t odometry_known = 0;       ///< how many odometry samples had been recorded when this scan was
+  std::optional<ScanBeams> beams = {};  ///< none: those of the scanner, all measured at once
+  std::size_t laser = 0;                ///< index in LaserLog::lasers
+  long line = 0;                        ///< of the recording, or the number of its message; 0: not recorded
 };
 
 struct OdometrySample {
   double time_s = 0;  ///< on the same mended clock as the scans
   Pose2 T_odom_vehicle;
+  long line = 0;  ///< as in LaserScan
 };
 
 /// What a vehicle with a laser scanner recorded on one run, in the order of recording.
 struct LaserLog {
-  LaserScanner laser;
+  std::vector<LaserScanner> lasers{1};  ///< at least one
   std::vector<LaserScan> scans;
   std::vector<OdometrySample> odometry;
+
+  const LaserScanner& laser() const { return lasers.front(); }
+  LaserScanner& laser() { return lasers.front(); }
+  /// The scanner that took a scan, with the scan's own beams.
+  LaserScanner laser_of(const LaserScan& scan) const;
 
   /// Median time from one scan to the next [s]; 0 with fewer than two scans.
   double scan_period_s() const;
