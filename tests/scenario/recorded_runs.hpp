@@ -24,7 +24,7 @@ inline TourRecording recorded(const std::string& world_name, const TourParams& p
 
 inline MapResult mapped(const LaserLog& log) {
   SilentProgress progress;
-  return build_map(log, MapParams{}, std::nullopt, false, progress);
+  return build_map(log, MapParams{}, {}, false, progress);
 }
 
 inline MapResult mapped_as_published(const LaserLog& log) {

@@ -186,11 +186,11 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
       {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", "map.yaml"});
   if (!directory) return directory.problems();
 
-  const MapResult result =
-      options.rules == MapRules::kRefined
-          ? build_map(log, params, options.odometry_delay_s, options.stages, console.progress)
-          : build_published_map(log, params.segments, PublishedParams{}, options.odometry_delay_s.value_or(0),
-                                console.progress);
+  const MapResult result = options.rules == MapRules::kRefined
+                               ? build_map(log, params, {.odometry_delay_s = options.odometry_delay_s},
+                                           options.stages, console.progress)
+                               : build_published_map(log, params.segments, PublishedParams{},
+                                                     options.odometry_delay_s.value_or(0), console.progress);
 
   Outcome outcome{.verb = "map"};
   outcome.figures = figures_of(result, log, relations);

@@ -79,13 +79,14 @@ OccupancyImage occupancy_of(const WallMap& walls, const LaserLog& log, std::span
       if (std::hypot(moved.x, moved.y) < kSweptEvery_m && std::abs(moved.theta) < kSweptEvery_rad) continue;
     }
     swept = &T_map_vehicle[i];
-    const Pose2 T_map_laser = T_map_vehicle[i] * log.laser().T_vehicle_laser;
+    const LaserScanner laser = log.laser_of(log.scans[i]);
+    const Pose2 T_map_laser = T_map_vehicle[i] * laser.T_vehicle_laser;
     const std::vector<float>& ranges_m = log.scans[i].ranges_m;
     for (std::size_t beam = 0; beam < ranges_m.size(); ++beam) {
       const double range_m = ranges_m[beam];
-      if (range_m <= kShortOfWall_m || range_m >= log.laser().range_max_m) continue;
+      if (range_m <= kShortOfWall_m || range_m >= laser.range_max_m) continue;
       const double free_m = std::min(range_m - kShortOfWall_m, kSweptReach_m);
-      const Vec2 along = unit(T_map_laser.theta + log.laser().beam_angle(beam));
+      const Vec2 along = unit(T_map_laser.theta + laser.beam_angle(beam));
       canvas.draw(T_map_laser.position(), T_map_laser.position() + free_m * along, kCellFree);
     }
   }

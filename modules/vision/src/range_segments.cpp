@@ -71,6 +71,12 @@ class RangeSegmenter::Work {
  public:
   Work(const ScanGeometry& geometry, const SegmentParams& params) : geometry_(geometry), params_(params) {}
 
+  void set_geometry(const ScanGeometry& geometry) {
+    if (geometry == geometry_) return;
+    geometry_ = geometry;
+    directions_.clear();
+  }
+
   void extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments) {
     segments.clear();
     collect_points(ranges_m);
@@ -98,22 +104,32 @@ class RangeSegmenter::Work {
 
   void collect_points(std::span<const float> ranges_m) {
     const double reach_m = std::min(params_.range_max_m, geometry_.range_max_m);
-    if (directions_.size() != ranges_m.size()) {
-      directions_.resize(ranges_m.size());
-      for (std::size_t k = 0; k < directions_.size(); ++k) {
-        directions_[k] = unit(geometry_.first_angle_rad + geometry_.angle_step_rad * static_cast<double>(k));
-      }
-    }
+    if (directions_.size() != ranges_m.size()) aim(ranges_m.size());
     points_.clear();
     ranges_.clear();
     beams_.clear();
     for (std::size_t k = 0; k < ranges_m.size(); ++k) {
       const double range = ranges_m[k];
       if (!(range >= params_.range_min_m && range < reach_m)) continue;
-      points_.push_back(range * directions_[k]);
+      points_.push_back(range * directions_[k] + sweep_share(k) * geometry_.swept.position());
       ranges_.push_back(range);
       beams_.push_back(k);
     }
+  }
+
+  /// A sensor that turns while it scans looks in directions spread wider or closer.
+  void aim(std::size_t beams) {
+    directions_.resize(beams);
+    for (std::size_t k = 0; k < beams; ++k) {
+      const double angle_rad = geometry_.first_angle_rad + geometry_.angle_step_rad * static_cast<double>(k);
+      directions_[k] = unit(angle_rad + sweep_share(k) * geometry_.swept.theta);
+    }
+  }
+
+  /// How far a beam is from the middle of the sweep: -0.5 for the first, 0.5 for the last.
+  double sweep_share(std::size_t beam) const {
+    const auto last = static_cast<double>(std::max<std::size_t>(directions_.size(), 2) - 1);
+    return static_cast<double>(beam) / last - 0.5;
   }
 
   /// The noise of a point across its wall: its distance from the chord of two points beside it, which must be
@@ -297,6 +313,12 @@ RangeSegmenter::RangeSegmenter(const ScanGeometry& geometry, const SegmentParams
 RangeSegmenter::~RangeSegmenter() = default;
 
 void RangeSegmenter::extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments) {
+  work_->extract(ranges_m, segments);
+}
+
+void RangeSegmenter::extract(const ScanGeometry& geometry, std::span<const float> ranges_m,
+                             std::vector<SensedSegment>& segments) {
+  work_->set_geometry(geometry);
   work_->extract(ranges_m, segments);
 }
 

@@ -6,6 +6,6 @@ int main(int, char** argv) {
   const auto carmen = aisle::read_carmen_log(argv[1]);
   if (!carmen) return 2;
   aisle::SilentProgress progress;
-  const auto map = aisle::build_map(carmen->log, {}, std::nullopt, false, progress);
+  const auto map = aisle::build_map(carmen->log, {}, {}, false, progress);
   std::cout << map.walls.walls.size() << " walls\n";
 }

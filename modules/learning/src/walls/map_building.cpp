@@ -7,6 +7,7 @@
 #include "aisle/geometry/dominant_direction.hpp"
 #include "aisle/learning/walls/odometry_delay.hpp"
 #include "aisle/learning/walls/scan_geometry.hpp"
+#include "aisle/learning/walls/scanner_calibration.hpp"
 #include "walls/scan_mapping.hpp"
 #include "walls/wall_adjustment.hpp"
 
@@ -26,19 +27,22 @@ double cpu_s() {
 
 class MapBuilder {
  public:
-  MapBuilder(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s)
+  MapBuilder(const LaserLog& log, const MapParams& params, const KnownOfLog& known)
       : log_(log),
         params_(params),
-        given_delay_s_(odometry_delay_s),
+        known_(known),
+        T_vehicle_laser_(log.laser().T_vehicle_laser),
         odometry_(log.odometry),
         delay_(odometry_, log.scan_period_s()),
         segmenter_(scan_geometry(log.laser()), params.segments),
         mapping_(params) {}
 
   void take_scan(std::size_t scan) {
-    segmenter_.extract(log_.scans[scan].ranges_m, seen_);
+    segmenter_.extract(geometry_of(log_.scans[scan]), log_.scans[scan].ranges_m, seen_);
+    place_on_first_laser(log_.scans[scan].laser);
     mapping_.step(seen_, motion_to(scan));
     online_.push_back(mapping_.T_map_sensor());
+    if (!known_.mounting) learn_mounting(scan);
   }
 
   void finish_loops() { mapping_.finish_loops(); }
@@ -83,7 +87,7 @@ class MapBuilder {
   }
 
   std::vector<Pose2> of_vehicle(std::vector<Pose2> T_map_sensor) const {
-    const Pose2 T_sensor_vehicle = log_.laser().T_vehicle_laser.inverse();
+    const Pose2 T_sensor_vehicle = T_vehicle_laser_.inverse();
     for (Pose2& pose : T_map_sensor) pose = pose * T_sensor_vehicle;
     return T_map_sensor;
   }
@@ -93,6 +97,7 @@ class MapBuilder {
     result.T_map_vehicle_online = of_vehicle(online_);
     result.path_m = mapping_.tracker().path_m();
     result.odometry_delay_s = delay_s();
+    result.T_vehicle_laser = T_vehicle_laser_;
     for (const LoopClosure& closure : mapping_.loops().closures()) {
       const auto scan = [&](std::size_t submap) {
         return mapping_.tracker().keyframes()[mapping_.loops().submaps()[submap].anchor_keyframe].scan;
@@ -106,9 +111,11 @@ class MapBuilder {
   WallMap draw(const std::vector<Pose2>& T_map_sensor) const {
     std::vector<PlacedScan> scans;
     for (const Keyframe& keyframe : mapping_.tracker().keyframes()) {
-      scans.push_back({T_map_sensor[keyframe.scan], keyframe.path_m, &log_.scans[keyframe.scan]});
+      const LaserScan& scan = log_.scans[keyframe.scan];
+      scans.push_back({T_map_sensor[keyframe.scan] * T_first_laser(scan.laser), keyframe.path_m, &scan,
+                       log_.laser_of(scan)});
     }
-    return draw_walls(walls_, sightings_, scans, log_.laser(), params_.drawn_length_m, params_.drawn_sightings);
+    return draw_walls(walls_, sightings_, scans, params_.drawn_length_m, params_.drawn_sightings);
   }
 
   const std::vector<Pose2>& tracked() const { return mapping_.tracked(); }
@@ -117,7 +124,41 @@ class MapBuilder {
   std::size_t wall_count() const { return walls_.empty() ? mapping_.tracker().wall_count() : walls_.size(); }
 
  private:
-  double delay_s() const { return given_delay_s_.value_or(delay_.delay_s()); }
+  double delay_s() const { return known_.odometry_delay_s.value_or(delay_.delay_s()); }
+
+  Pose2 sensor_at(double time_s, std::size_t odometry_known) const {
+    return odometry_.at(time_s - delay_s(), odometry_known) * T_vehicle_laser_;
+  }
+
+  /// A scanner of the log in the frame of the first one.
+  Pose2 T_first_laser(std::size_t laser) const {
+    return between(log_.laser().T_vehicle_laser, log_.lasers[laser].T_vehicle_laser);
+  }
+
+  /// The beams of a scan, with the motion during it if they were measured one after the other.
+  ScanGeometry geometry_of(const LaserScan& scan) const {
+    ScanGeometry geometry = scan_geometry(log_.laser_of(scan));
+    const double half_s =
+        scan.beams ? 0.5 * scan.beams->period_s * static_cast<double>(scan.ranges_m.size()) : 0;
+    if (half_s == 0) return geometry;
+    const Pose2 T_first_scan = T_first_laser(scan.laser);
+    geometry.swept = between(sensor_at(scan.time_s - half_s, scan.odometry_known) * T_first_scan,
+                             sensor_at(scan.time_s + half_s, scan.odometry_known) * T_first_scan);
+    return geometry;
+  }
+
+  void place_on_first_laser(std::size_t laser) {
+    if (laser == 0) return;
+    for (SensedSegment& segment : seen_) segment = T_first_laser(laser) * segment;
+  }
+
+  /// Where the scanner sits shows wherever the vehicle turns.
+  void learn_mounting(std::size_t scan) {
+    const double time_s = log_.scans[scan].time_s;
+    if (mounting_.add(mapping_.tracked().back(),
+                      odometry_.at(time_s - delay_s(), log_.scans[scan].odometry_known)))
+      T_vehicle_laser_ = mounting_.T_vehicle_laser(log_.laser().T_vehicle_laser);
+  }
 
   /// The sensor's motion from the previous scan to this one, by odometry at the delayed times.
   Pose2 motion_to(std::size_t scan) {
@@ -126,15 +167,15 @@ class MapBuilder {
     const bool clear = frame && frame->share > kFrameShare;
     delay_.add(now.time_s, now.odometry_known, clear ? std::optional(frame->heading_rad) : std::nullopt);
     if (scan == 0) return {};
-    const auto sensor_at = [&](double time_s) {
-      return odometry_.at(time_s - delay_s(), now.odometry_known) * log_.laser().T_vehicle_laser;
-    };
-    return between(sensor_at(log_.scans[scan - 1].time_s), sensor_at(now.time_s));
+    return between(sensor_at(log_.scans[scan - 1].time_s, now.odometry_known),
+                   sensor_at(now.time_s, now.odometry_known));
   }
 
   const LaserLog& log_;
   const MapParams& params_;
-  std::optional<double> given_delay_s_;
+  KnownOfLog known_;
+  Pose2 T_vehicle_laser_;  ///< of the first scanner, as known now
+  MountingEstimator mounting_;
   OdometryTrack odometry_;
   OdometryDelayEstimator delay_;
   RangeSegmenter segmenter_;
@@ -164,11 +205,11 @@ void MapParams::describe(FieldList& fields) {
                "walls seen on fewer half-metre legs of the path are not written");
 }
 
-MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s,
-                    bool keep_stages, Progress& progress) {
+MapResult build_map(const LaserLog& log, const MapParams& params, const KnownOfLog& known, bool keep_stages,
+                    Progress& progress) {
   const double start_s = cpu_s();
   std::vector<MapStage> stages;
-  MapBuilder builder(log, params, odometry_delay_s);
+  MapBuilder builder(log, params, known);
   const auto keep = [&](const char* name, const std::vector<Pose2>& T_map_sensor) {
     if (!keep_stages) return;
     stages.push_back({name, builder.of_vehicle(T_map_sensor), builder.wall_count(), cpu_s() - start_s});

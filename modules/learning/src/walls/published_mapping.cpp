@@ -37,7 +37,8 @@ class PublishedMapper {
         correlator_(params.signature) {}
 
   void take_scan(std::size_t scan) {
-    segmenter_.extract(log_.scans[scan].ranges_m, seen_);
+    const LaserScan& taken = log_.scans[scan];
+    segmenter_.extract(scan_geometry(log_.laser_of(taken)), taken.ranges_m, seen_);
     double step_m = 0;
     if (scan == 0) {
       const auto frame = dominant_direction(seen_);
@@ -177,9 +178,10 @@ class PublishedMapper {
 
 std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments,
                                   double odometry_delay_s) {
-  RangeSegmenter segmenter(scan_geometry(log.laser()), segments);
+  const LaserScan& first = log.scans.front();
+  RangeSegmenter segmenter(scan_geometry(log.laser_of(first)), segments);
   std::vector<SensedSegment> seen;
-  segmenter.extract(log.scans.front().ranges_m, seen);
+  segmenter.extract(first.ranges_m, seen);
   const auto frame = dominant_direction(seen);
   const OdometryTrack odometry(log.odometry);
   const auto vehicle_at = [&](const LaserScan& scan) {

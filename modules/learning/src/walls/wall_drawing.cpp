@@ -87,8 +87,7 @@ struct Stroke {
 
 class Drawing {
  public:
-  Drawing(const std::vector<WallEstimate>& walls, const LaserScanner& laser)
-      : laser_(laser), stroke_of_wall_(walls.size(), 0) {
+  explicit Drawing(const std::vector<WallEstimate>& walls) : stroke_of_wall_(walls.size(), 0) {
     unite(walls);
   }
 
@@ -104,8 +103,8 @@ class Drawing {
     const Vec2 from = placed.T_map_laser.position();
     for (std::size_t beam = 0; beam < ranges_m.size(); beam += kBeamStep) {
       const double range_m = ranges_m[beam];
-      if (!(range_m > kBehind_m && range_m < laser_.range_max_m)) continue;
-      const Vec2 along = unit(placed.T_map_laser.theta + laser_.beam_angle(beam));
+      if (!(range_m > kBehind_m && range_m < placed.laser.range_max_m)) continue;
+      const Vec2 along = unit(placed.T_map_laser.theta + placed.laser.beam_angle(beam));
       const double free_m = std::min(range_m - kBehind_m, kBeamReach_m);
       const int pieces = static_cast<int>(std::ceil(free_m / kBeamPiece_m));
       const Vec2 step = along * (free_m / pieces);
@@ -217,7 +216,6 @@ class Drawing {
     return wall;
   }
 
-  const LaserScanner& laser_;
   std::vector<Stroke> strokes_;
   std::vector<std::size_t> stroke_of_wall_;
   CellIndex index_;
@@ -227,9 +225,8 @@ class Drawing {
 }  // namespace
 
 WallMap draw_walls(const std::vector<WallEstimate>& walls, std::span<const WallSighting> sightings,
-                   std::span<const PlacedScan> scans, const LaserScanner& laser, double length_min_m,
-                   int sightings_min) {
-  Drawing drawing(walls, laser);
+                   std::span<const PlacedScan> scans, double length_min_m, int sightings_min) {
+  Drawing drawing(walls);
   drawing.add_sightings(sightings);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     drawing.add_beams(scans[i]);

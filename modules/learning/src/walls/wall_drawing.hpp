@@ -22,6 +22,7 @@ struct PlacedScan {
   Pose2 T_map_laser;
   double path_m = 0;
   const LaserScan* scan = nullptr;
+  LaserScanner laser;  ///< that took it, with the scan's beams
 };
 
 /// Draws the final map: walls on one line that touch become one; parts that beams passed through or the
@@ -29,7 +30,6 @@ struct PlacedScan {
 /// Repeated sightings without moving on count once. Scans and sightings must be in the order of the path.
 /// O(sightings + beams * walls near each beam).
 WallMap draw_walls(const std::vector<WallEstimate>& walls, std::span<const WallSighting> sightings,
-                   std::span<const PlacedScan> scans, const LaserScanner& laser, double length_min_m,
-                   int sightings_min);
+                   std::span<const PlacedScan> scans, double length_min_m, int sightings_min);
 
 }  // namespace aisle

@@ -31,7 +31,7 @@ std::vector<WallSighting> seen_along(const Segment2& segment, int wall, double m
 
 WallMap draw(const std::vector<WallEstimate>& walls, const std::vector<WallSighting>& sightings,
              const std::vector<PlacedScan>& scans = {}) {
-  return draw_walls(walls, sightings, scans, kLaser, 0.5, 3);
+  return draw_walls(walls, sightings, scans, 0.5, 3);
 }
 
 const Segment2 kLong{{5, 0}, {0, 0}};  // runs west: its free side is south
@@ -70,7 +70,7 @@ TEST(WallDrawing, TheTwoSidesOfAWallStayTwo) {
 TEST(WallDrawing, WhereTheVehicleDroveThereIsNoWall) {
   const LaserScan blind{.ranges_m = std::vector<float>(181, 0.0f)};
   const WallMap map = draw({wall_of(kLong, Facing::kWest, 9)}, seen_along(kLong, 0, 3),
-                           {{{2.5, -1, kPi / 2}, 0, &blind}, {{2.5, 1, kPi / 2}, 2, &blind}});
+                           {{{2.5, -1, kPi / 2}, 0, &blind, kLaser}, {{2.5, 1, kPi / 2}, 2, &blind, kLaser}});
   ASSERT_THAT(map.walls, SizeIs(2));
   for (const Wall& wall : map.walls) EXPECT_NEAR(wall.segment.length(), 2.3, 0.15);
   EXPECT_EQ(map.walls[0].end, WallEnd::kSeen);
@@ -93,7 +93,7 @@ TEST(WallDrawing, ADoorwayThatBeamsPassIsCutOut) {
   }
   double x = 0;
   for (const LaserScan& view : views) {
-    scans.push_back({{x, -1, kPi / 2}, x, &view});
+    scans.push_back({{x, -1, kPi / 2}, x, &view, kLaser});
     x += 0.25;
   }
   const WallMap map = draw({wall_of(kLong, Facing::kWest, 9)}, seen_along(kLong, 0, 2), scans);

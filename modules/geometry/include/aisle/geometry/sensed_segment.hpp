@@ -1,5 +1,7 @@
 #pragma once
 
+#include "aisle/core/angle.hpp"
+#include "aisle/geometry/pose2.hpp"
 #include "aisle/geometry/segment2.hpp"
 
 namespace aisle {
@@ -19,5 +21,13 @@ struct SensedSegment {
   bool curved =
       false;  ///< a chord of a bent wall: its place is true, but it tells nothing of the building's axes
 };
+
+/// The segment in the frame of another sensor.
+inline SensedSegment operator*(const Pose2& T_to_from, SensedSegment segment) {
+  segment.segment = T_to_from * segment.segment;
+  segment.centroid = T_to_from * segment.centroid;
+  segment.heading_rad = wrap_angle(segment.heading_rad + T_to_from.theta);
+  return segment;
+}
 
 }  // namespace aisle

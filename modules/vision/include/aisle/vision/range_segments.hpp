@@ -6,6 +6,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/parameters.hpp"
+#include "aisle/geometry/pose2.hpp"
 #include "aisle/geometry/sensed_segment.hpp"
 
 namespace aisle {
@@ -30,6 +31,15 @@ struct ScanGeometry {
   double first_angle_rad = 0;
   double angle_step_rad = 0;
   double range_max_m = 0;  ///< readings of this or more are "nothing seen"
+  /// Motion of the sensor from the first beam to the last, in its own frame; the points are given as from the
+  /// middle of it. Identity: all beams were measured at once.
+  Pose2 swept = {};
+
+  friend bool operator==(const ScanGeometry& a, const ScanGeometry& b) {
+    return a.first_angle_rad == b.first_angle_rad && a.angle_step_rad == b.angle_step_rad &&
+           a.range_max_m == b.range_max_m && a.swept.x == b.swept.x && a.swept.y == b.swept.y &&
+           a.swept.theta == b.swept.theta;
+  }
 };
 
 /// Cuts range scans into straight segments: split and merge. The distances in the parameters apply to a
@@ -43,6 +53,9 @@ class RangeSegmenter {
   /// Replaces `segments` by those of one scan, in the order of the beams. Ranges that are not positive, not
   /// finite or beyond the scanner's reach are skipped.
   void extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments);
+  /// The same for a scan with beams of its own.
+  void extract(const ScanGeometry& geometry, std::span<const float> ranges_m,
+               std::vector<SensedSegment>& segments);
 
  private:
   class Work;

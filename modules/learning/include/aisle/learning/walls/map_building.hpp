@@ -45,15 +45,21 @@ struct MapResult {
       loop_closures;  ///< scans that show the same place: (older, newer)
   double path_m = 0;
   double odometry_delay_s = 0;
+  Pose2 T_vehicle_laser;  ///< of the first scanner: as given or as found
   bool has_dominant_direction = false;
   std::vector<MapStage> stages;  ///< filled if `keep_stages`
+};
+
+/// What is known of a log beyond its content; what is not is estimated from it.
+struct KnownOfLog {
+  std::optional<double> odometry_delay_s;
+  bool mounting = true;  ///< LaserLog::laser().T_vehicle_laser is where the scanner sits
 };
 
 /// Builds a wall map from a log with at least one scan and one odometry sample. The steps: extract segments
 /// from each scan; track them against the walls around; close loops between submaps; adjust keyframes and
 /// walls together; fit every scan to the final walls.
-/// @param odometry_delay_s  nullopt: estimated from the log
-MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s,
-                    bool keep_stages, Progress& progress);
+MapResult build_map(const LaserLog& log, const MapParams& params, const KnownOfLog& known, bool keep_stages,
+                    Progress& progress);
 
 }  // namespace aisle

@@ -7,7 +7,7 @@ namespace aisle {
 
 /// What segments need to know of a log's scanner.
 inline ScanGeometry scan_geometry(const LaserScanner& laser) {
-  return {laser.first_angle_rad, laser.angle_step_rad, laser.range_max_m};
+  return {laser.first_angle_rad, laser.angle_step_rad, laser.range_max_m, {}};
 }
 
 }  // namespace aisle
