@@ -19,8 +19,7 @@ constexpr std::size_t kChordReach =
 constexpr double kChordMin_m = 0.03;
 constexpr double kGapShare = 0.35;    // neighbours farther apart than this share of their range ...
 constexpr double kGapFloor_m = 0.08;  // ... or this are on different surfaces
-constexpr double kNearCell_m = 0.1;
-constexpr double kAgreeing = 0.7;  // cosine between normals of one surface
+constexpr double kAgreeing = 0.7;     // cosine between normals of one surface
 constexpr double kOnSurface_m = 0.06;
 constexpr double kPointSigma_m = 0.03;
 constexpr double kCauchy_m = 0.05;
@@ -33,6 +32,36 @@ constexpr double kSearchStep_rad = 2 * kDegree;
 constexpr std::size_t kSearchPoints = 60;
 constexpr std::size_t kCandidates = 4;
 constexpr std::size_t kFitPoints = 200;
+
+/// The cells beside a map's points around a place, for fast counting.
+class NearCells {
+ public:
+  NearCells(const SurfaceMap& map, const Vec2& centre, double half_m)
+      : corner_(centre - Vec2(half_m, half_m)),
+        side_(static_cast<long>(std::ceil(2 * half_m / SurfaceMap::kNearCell_m)) + 1),
+        is_near_(static_cast<std::size_t>(side_ * side_), 0) {
+    map.for_each_near_cell([&](const Vec2& p_map) {
+      if (const long cell = cell_at(p_map); cell >= 0) is_near_[static_cast<std::size_t>(cell)] = 1;
+    });
+  }
+
+  std::size_t at(const Vec2& p_map) const {
+    const long cell = cell_at(p_map);
+    return cell < 0 ? 0 : is_near_[static_cast<std::size_t>(cell)];
+  }
+
+ private:
+  long cell_at(const Vec2& p_map) const {
+    const Vec2 cells = (p_map - corner_) / SurfaceMap::kNearCell_m;
+    const long column = static_cast<long>(cells.x() + 0.5), row = static_cast<long>(cells.y() + 0.5);
+    const bool inside = cells.x() >= 0 && cells.y() >= 0 && column < side_ && row < side_;
+    return inside ? row * side_ + column : -1;
+  }
+
+  Vec2 corner_;
+  long side_;
+  std::vector<std::uint8_t> is_near_;
+};
 
 bool is_gap(const Vec2& a, const Vec2& b) {
   return (a - b).norm() > std::max(kGapFloor_m, kGapShare * std::min(a.norm(), b.norm()));
@@ -68,10 +97,6 @@ void surface_points(std::span<const Vec2> points, std::vector<SurfacePoint>& sur
 
 std::int64_t SurfaceMap::key(long column, long row) {
   return (static_cast<std::int64_t>(column) << 32) ^ static_cast<std::uint32_t>(row);
-}
-
-std::int64_t SurfaceMap::near_key(const Vec2& p_map) {
-  return key(std::lround(p_map.x() / kNearCell_m), std::lround(p_map.y() / kNearCell_m));
 }
 
 void SurfaceMap::add(std::span<const SurfacePoint> surface, const Pose2& T_map_sensor) {
@@ -160,6 +185,9 @@ SurfaceFit fit_surface_far(std::span<const SurfacePoint> surface, const SurfaceM
     std::size_t near = 0;
     Pose2 T_map_sensor;
   };
+  double farthest_m = 0;
+  for (const SurfacePoint& point : surface) farthest_m = std::max(farthest_m, point.p.norm());
+  const NearCells near_cells(map, guess.position(), farthest_m + reach.position_m);
   std::vector<Candidate> best;
   std::vector<Vec2> turned;
   const std::size_t stride = stride_for(surface.size(), kSearchPoints);
@@ -175,7 +203,7 @@ SurfaceFit fit_surface_far(std::span<const SurfacePoint> surface, const SurfaceM
       for (int iy = -steps; iy <= steps; ++iy) {
         const Vec2 at = guess.position() + kSearchStep_m * Vec2(ix, iy);
         std::size_t near = 0;
-        for (const Vec2& p : turned) near += map.is_near_surface(at + p);
+        for (const Vec2& p : turned) near += near_cells.at(at + p);
         if (near > top.near) top = {near, {at.x(), at.y(), theta}};
       }
     }

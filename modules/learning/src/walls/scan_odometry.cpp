@@ -17,9 +17,7 @@ constexpr double kTurning_radps2 = 3;
 constexpr double kSigmaFloor_m = 0.01;
 constexpr double kSigmaFloor_rad = 0.01;
 constexpr double kWellFitting = 0.75;  // with less on known surfaces, the pose is searched for
-constexpr double kClearlyMore = 0.05;
-constexpr double kSpeedMax_mps = 2;  // of vehicles in buildings
-constexpr double kTurnMax_radps = 4;
+constexpr double kFarFitGain = 0.05;
 constexpr double kCoast_s = 0.5;  // the last speed is carried on for at most this long
 
 Mat3 information_after(double step_s) {
@@ -42,10 +40,11 @@ ScanMotion ScanOdometry::step(std::span<const Vec2> points, double time_s) {
   const Pose2 T_map_last = T_map_laser_;
   SurfaceFit fit = fit_surface(surface_, map_, predicted(time_s), information_after(step_s));
   if (fit.share < kWellFitting) {
-    const SearchReach reach{.position_m = std::clamp(kSpeedMax_mps * step_s, 0.2, 1.0),
-                            .heading_rad = std::clamp(kTurnMax_radps * step_s, 10 * kDegree, 60 * kDegree)};
+    const SearchReach reach{
+        .position_m = std::clamp(kVehicleSpeedMax_mps * step_s, 0.2, 1.0),
+        .heading_rad = std::clamp(kVehicleTurnMax_radps * step_s, 10 * kDegree, 60 * kDegree)};
     const SurfaceFit far = fit_surface_far(surface_, map_, T_map_last, reach);
-    if (far.share > fit.share + kClearlyMore) fit = far;
+    if (far.share > fit.share + kFarFitGain) fit = far;
   }
   T_map_laser_ = fit.T_map_sensor;
   const Pose2 T_last_now = between(T_map_last, T_map_laser_);
@@ -55,6 +54,11 @@ ScanMotion ScanOdometry::step(std::span<const Vec2> points, double time_s) {
   const Pose2 moved = between(T_map_learned_, T_map_laser_);
   if (moved.position().norm() > kLearned_m || std::abs(moved.theta) > kLearned_rad) learn();
   return {T_last_now, fit.share, fit.information};
+}
+
+double ScanOdometry::share_at(std::span<const Vec2> points, const Pose2& T_last_now) {
+  surface_points(points, surface_);
+  return fit_surface(surface_, map_, T_map_laser_ * T_last_now, Mat3::Zero()).share;
 }
 
 Pose2 ScanOdometry::predicted(double time_s) const {
@@ -67,10 +71,9 @@ void ScanOdometry::learn() {
   T_map_learned_ = T_map_laser_;
 }
 
-void points_of(const LaserScanner& laser, std::span<const float> ranges_m, double reach_m,
-               std::vector<Vec2>& points) {
+void points_of(const LaserScanner& laser, std::span<const float> ranges_m, std::vector<Vec2>& points) {
   points.clear();
-  const double limit_m = std::min(reach_m, laser.range_max_m);
+  const double limit_m = std::min(kScanMatchingReach_m, laser.range_max_m);
   for (std::size_t beam = 0; beam < ranges_m.size(); ++beam) {
     const double range_m = ranges_m[beam];
     if (range_m > kNearest_m && range_m < limit_m) points.push_back(range_m * unit(laser.beam_angle(beam)));

@@ -12,7 +12,6 @@
 namespace aisle {
 namespace {
 
-constexpr double kReach_m = 20;  // farther readings move too much with the heading
 constexpr std::size_t kScansMin = 40;
 constexpr std::size_t kScansMax = 1200;
 constexpr double kEnoughTurn_rad = 540 * kDegree;
@@ -92,7 +91,7 @@ SampledMotion sample_motion(const LaserLog& log, std::optional<ScanBeams> beams)
       laser.first_angle_rad = beams->first_angle_rad;
       laser.angle_step_rad = beams->angle_step_rad;
     }
-    points_of(laser, scan.ranges_m, kReach_m, points);
+    points_of(laser, scan.ranges_m, points);
     const ScanMotion motion = scans.step(points, scan.time_s);
     sample.times_s.push_back(scan.time_s);
     sample.T_first_laser.push_back(scans.T_first_laser());

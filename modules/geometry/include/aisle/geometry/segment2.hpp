@@ -29,6 +29,15 @@ inline Segment2 operator*(const Pose2& T, const Segment2& s) {
   return {T * s.start, T * s.end};
 }
 
+/// Whether two segments cross; those that only touch may count either way.
+inline bool cross(const Segment2& a, const Segment2& b) {
+  const auto side = [](const Segment2& s, const Vec2& p) {
+    const Vec2 along = s.end - s.start, off = p - s.start;
+    return along.x() * off.y() - along.y() * off.x() > 0;
+  };
+  return side(a, b.start) != side(a, b.end) && side(b, a.start) != side(b, a.end);
+}
+
 /// What the end of a piece of wall is known to be.
 enum class WallEnd {
   kSeen,     ///< a true end: a corner, or the wall stops and something behind it was seen

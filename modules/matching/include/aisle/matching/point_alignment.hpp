@@ -35,9 +35,17 @@ class SurfaceMap {
   const SurfacePoint* nearest(const Vec2& p_map, const Vec2& normal, double reach_m) const;
   bool empty() const { return cells_.empty(); }
 
-  /// Whether a point of the map lies within about 10 cm of this one.
-  bool is_near_surface(const Vec2& p_map) const { return near_.contains(near_key(p_map)); }
+  /// Calls `visit` with the centre of every cell of kNearCell_m that has a point of the map in it or beside
+  /// it.
+  template <class Visit>
+  void for_each_near_cell(Visit visit) const {
+    for (const auto& [cell, scan] : near_) {
+      visit(kNearCell_m * Vec2(static_cast<double>(cell >> 32),
+                               static_cast<double>(static_cast<std::int32_t>(cell & 0xffffffff))));
+    }
+  }
 
+  static constexpr double kNearCell_m = 0.1;
   static constexpr double kCell_m = 0.3;
   static constexpr int kScansKept = 40;
 
@@ -47,7 +55,6 @@ class SurfaceMap {
     int scan = 0;
   };
   static std::int64_t key(long column, long row);
-  static std::int64_t near_key(const Vec2& p_map);
   void forget_old();
 
   std::unordered_map<std::int64_t, std::vector<Kept>> cells_;

@@ -9,6 +9,10 @@
 
 namespace aisle {
 
+inline constexpr double kScanMatchingReach_m = 20;  ///< farther readings move too much with the heading
+inline constexpr double kVehicleSpeedMax_mps = 3;   ///< of vehicles in buildings
+inline constexpr double kVehicleTurnMax_radps = 4;
+
 /// How a scanner moved since its previous scan, by the scans alone.
 struct ScanMotion {
   Pose2 T_last_now;                 ///< of the laser
@@ -25,6 +29,9 @@ class ScanOdometry {
   /// @param time_s  of the scan; not before the last one's
   ScanMotion step(std::span<const Vec2> points, double time_s);
 
+  /// The share of a scan's points that would lie on what was seen before, near a motion since the last scan.
+  double share_at(std::span<const Vec2> points, const Pose2& T_last_now);
+
   /// The laser's pose in the frame of the first scan.
   const Pose2& T_first_laser() const { return T_map_laser_; }
 
@@ -40,9 +47,7 @@ class ScanOdometry {
   Vec3 velocity_ = Vec3::Zero();  ///< of the laser in its own frame [m/s, m/s, rad/s]
 };
 
-/// The points that a scan saw, in the laser's frame, in the order of the beams.
-/// @param reach_m  farther readings are left out
-void points_of(const LaserScanner& laser, std::span<const float> ranges_m, double reach_m,
-               std::vector<Vec2>& points);
+/// The points that a scan saw up to kScanMatchingReach_m, in the laser's frame, in the order of the beams.
+void points_of(const LaserScanner& laser, std::span<const float> ranges_m, std::vector<Vec2>& points);
 
 }  // namespace aisle
