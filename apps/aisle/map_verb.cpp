@@ -43,7 +43,7 @@ void add_map_verb(CLI::App& app, Work& work) {
   verb->add_option("--out", options->out, "output directory for the map, its pictures and the trajectory");
   verb->add_flag("--force", options->force, "overwrite existing results");
   add_choice<LengthUnit>(*verb, "--units", options->reading.unit,
-                         {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}},
+                         {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}, {"mm", LengthUnit::kMillimetre}},
                          "unit of lengths in the log (default m)");
   verb->add_option_function<std::string>(
       "--laser-offset",
