@@ -43,6 +43,7 @@ double find_range_max_m(const std::vector<LaserScan>& scans, double announced_m)
 }
 
 double believable_maximum_m(const std::vector<LaserScan>& scans, double announced_m) {
+  constexpr std::size_t kMarksMin = 20;
   const ReadingExtremes extremes = largest_readings(scans);
   if (extremes.largest_m >= kUsableShareOfMaximum * announced_m) return announced_m;
   std::size_t near_largest = 0;
@@ -51,7 +52,8 @@ double believable_maximum_m(const std::vector<LaserScan>& scans, double announce
       near_largest += range_m < extremes.largest_m && range_m >= kUsableShareOfMaximum * extremes.largest_m;
     }
   }
-  const bool is_mark = extremes.count * 1000 >= extremes.readings && extremes.count > 3 * near_largest;
+  const bool is_frequent = extremes.count >= kMarksMin && extremes.count * 1000 >= extremes.readings;
+  const bool is_mark = is_frequent && extremes.count > 3 * near_largest;
   return is_mark ? extremes.largest_m : announced_m;
 }
 

@@ -66,8 +66,8 @@ MrptHeader MrptStream::read_header() {
   if (!ok()) return {};
   const std::optional<MrptHeader> header = header_at(position_);
   if (!header) {
-    const std::size_t needed = is_at_end() ? 1 : 2 + (static_cast<unsigned char>(bytes_[position_]) & 0x7fU);
-    is_cut_off_ = needed > bytes_.size() - position_;
+    const unsigned first = is_at_end() ? 0x80U : static_cast<unsigned char>(bytes_[position_]);
+    is_cut_off_ = (first & 0x80U) != 0 && 2 + (first & 0x7fU) > bytes_.size() - position_;
     fail(is_cut_off_ ? "the file is cut off here" : "no object begins here");
     return {};
   }
