@@ -126,18 +126,20 @@ OdometryMessage read_odometry(FieldReader& fields, double metres_per_unit) {
 /// name value ipc_timestamp host logger_timestamp
 void read_param(FieldReader& fields, double metres_per_unit, CarmenParams& params) {
   const std::string_view name = fields.word();
+  CarmenParams read = params;
   if (name == "robot_frontlaser_offset") {
-    params.offset_m = fields.number("offset", kRangeLimit_m) * metres_per_unit;
+    read.offset_m = fields.number("offset", kRangeLimit_m) * metres_per_unit;
   } else if (name == "robot_frontlaser_side_offset") {
-    params.side_offset_m = fields.number("side offset", kRangeLimit_m) * metres_per_unit;
+    read.side_offset_m = fields.number("side offset", kRangeLimit_m) * metres_per_unit;
   } else if (name == "robot_frontlaser_angular_offset") {
-    params.angular_offset_rad = fields.number("angular offset", 2 * kPi);
+    read.angular_offset_rad = fields.number("angular offset", 2 * kPi);
   } else if (name == "robot_front_laser_max" || name == "laser_front_laser_max") {
-    params.maximum_range_m = fields.distance("maximum range", kRangeLimit_m) * metres_per_unit;
+    read.maximum_range_m = fields.distance("maximum range", kRangeLimit_m) * metres_per_unit;
   } else if (name == "laser_front_laser_resolution") {
-    params.resolution_deg = fields.number("resolution", 90);
-    if (fields.ok() && *params.resolution_deg <= 0) fields.fail("the resolution is not positive");
+    read.resolution_deg = fields.number("resolution", 90);
+    if (fields.ok() && *read.resolution_deg <= 0) fields.fail("the resolution is not positive");
   }
+  if (fields.ok()) params = read;  // a line that is left out says nothing
 }
 
 bool is_other_carmen_message(std::string_view name) {

@@ -10,6 +10,7 @@
 #include "logs/carmen_range.hpp"
 #include "logs/length_unit.hpp"
 #include "logs/mended_clock.hpp"
+#include "logs/recorded_mounting.hpp"
 #include "logs/recording_checks.hpp"
 #include "logs/scan_beams.hpp"
 
@@ -175,7 +176,7 @@ void CarmenParser::settle_mounting() {
   if (!T_vehicle_laser) {
     // Two equal poses say that one was written twice, not that the scanner is at the vehicle's origin.
     T_vehicle_laser = mounting_.agreed().value_or(Pose2{});
-    recording_.has_mounting = T_vehicle_laser->position().norm() > 0 || T_vehicle_laser->theta != 0;
+    recording_.has_mounting = is_off_origin(*T_vehicle_laser);
   }
   log().laser().T_vehicle_laser = *T_vehicle_laser;
 }

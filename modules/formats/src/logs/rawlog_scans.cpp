@@ -11,6 +11,7 @@
 #include "aisle/core/angle.hpp"
 #include "logs/carmen_beam_angles.hpp"
 #include "logs/carmen_range.hpp"
+#include "logs/recorded_mounting.hpp"
 #include "logs/scan_beams.hpp"
 
 namespace aisle {
@@ -140,11 +141,10 @@ void RawlogScans::finish(const RecordingOptions& options, const std::string& nam
     }
   }
   if (options.T_vehicle_laser) log_.laser().T_vehicle_laser = *options.T_vehicle_laser;
-  recording.has_mounting =
-      options.T_vehicle_laser ||
-      std::any_of(log_.lasers.begin(), log_.lasers.end(), [](const LaserScanner& laser) {
-        return laser.T_vehicle_laser.position().norm() > 0 || laser.T_vehicle_laser.theta != 0;
-      });
+  recording.has_mounting = options.T_vehicle_laser ||
+                           std::any_of(log_.lasers.begin(), log_.lasers.end(), [](const LaserScanner& laser) {
+                             return is_off_origin(laser.T_vehicle_laser);
+                           });
 }
 
 }  // namespace aisle

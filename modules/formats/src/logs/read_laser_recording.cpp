@@ -34,6 +34,9 @@ Result<LaserRecording> read_recording_file(const fs::path& path, const Recording
   Result<LaserRecording> recording = kind == RecordingKind::kRawlog
                                          ? parse_rawlog(file->bytes, path.string(), options)
                                          : parse_laser_csv(file->bytes, path.string(), options);
+  if (recording && options.unit != LengthUnit::kMetre) {
+    recording->warnings.push_back({{path.string()}, "states its own units: --units says nothing of it"});
+  }
   if (recording && !file->damage.empty()) {
     recording->warnings.push_back({{path.string()}, file->damage + "; what comes before is used"});
   }

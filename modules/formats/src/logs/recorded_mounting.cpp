@@ -13,4 +13,9 @@ void RecordedMounting::add(const Pose2& T_odom_vehicle, const Pose2& T_odom_lase
   all_agree_ = all_agree_ && change.position().norm() < 0.01 && std::abs(change.theta) < 0.5 * kDegree;
 }
 
+bool is_off_origin(const Pose2& T_vehicle_laser) {
+  constexpr double kRounding = 1e-6;
+  return T_vehicle_laser.position().norm() > kRounding || std::abs(T_vehicle_laser.theta) > kRounding;
+}
+
 }  // namespace aisle

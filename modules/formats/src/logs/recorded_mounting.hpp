@@ -19,4 +19,7 @@ class RecordedMounting {
   bool all_agree_ = true;
 };
 
+/// Whether a mounting says more than that the scanner is at the vehicle's origin, as formats do by default.
+bool is_off_origin(const Pose2& T_vehicle_laser);
+
 }  // namespace aisle

@@ -61,6 +61,23 @@ double high_quantile(std::vector<double> values) {
   return *place;
 }
 
+void check_speed(LaserRecording& recording, const std::string& name) {
+  constexpr double kMoving_mps = 0.01, kNoVehicle_mps = 20;
+  std::vector<double> speeds;
+  for (std::size_t i = 1; i < recording.log.odometry.size(); ++i) {
+    const OdometryStep step = step_before(recording.log.odometry, i);
+    if (step.time_s > 0 && step.speed_mps() > kMoving_mps) speeds.push_back(step.speed_mps());
+  }
+  if (speeds.empty()) return;
+  const double usual_mps = median(std::move(speeds));
+  if (usual_mps < kNoVehicle_mps) return;
+  recording.warnings.push_back(
+      {{name},
+       fmt::format("the vehicle usually drives at {:.0f} m/s: are its poses centimetres or "
+                   "millimetres, or are the stamps no seconds?",
+                   usual_mps)});
+}
+
 /// What this vehicle does not do from one sample to the next, judged by what it mostly does.
 struct JumpLimits {
   double speed_mps, rate_radps;
@@ -146,6 +163,7 @@ Problems check_recording(LaserRecording& recording, LengthUnit unit, const std::
   Problems problems;
   check_unit(recording, unit, name, problems);
   check_heading_unit(recording, name, problems);
+  check_speed(recording, name);
   check_jumps(recording, name);
   check_gaps(recording, name);
   return problems;

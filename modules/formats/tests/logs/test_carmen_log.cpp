@@ -152,8 +152,8 @@ TEST(CarmenLog, AStoppedClockIsWarnedOfWithTheStepThatIsTaken) {
 
 TEST(CarmenLog, OdometryThatJumpsIsWarnedOfOnceWithItsPlace) {
   const auto at = [](double x_m, double stamp_s) { return odom(x_m, stamp_s) + rawlaser(stamp_s); };
-  EXPECT_EQ(warnings_of(parsed(at(0, 1) + at(1, 2) + at(22, 3) + at(23, 4) + at(0, 5))),
-            "run.clf:5: the odometry jumps by 21.0 m, 0 deg from the pose before; 2 such jumps");
+  EXPECT_EQ(warnings_of(parsed(at(0, 1) + at(1, 2) + at(2, 3) + at(23, 4) + at(24, 5) + at(0, 6))),
+            "run.clf:7: the odometry jumps by 21.0 m, 0 deg from the pose before; 2 such jumps");
   EXPECT_THAT(parsed(at(0, 1) + at(3, 2) + at(6, 3)).warnings, IsEmpty());
 }
 
@@ -205,6 +205,11 @@ INSTANTIATE_TEST_SUITE_P(
         DamagedLine{"ZeroResolution", "PARAM laser_front_laser_resolution 0\n", "not positive"},
         DamagedLine{"ParameterWithoutValue", "PARAM robot_frontlaser_offset\n", "before its offset"}),
     [](const auto& line) { return line.param.name; });
+
+TEST(CarmenLog, AParameterThatIsLeftOutSaysNothing) {
+  const LaserRecording carmen = parsed("PARAM laser_front_laser_resolution 0\n" + flaser(1));
+  EXPECT_NEAR(carmen.log.laser().angle_step_rad, 90 * kDegree, 1e-12);
+}
 
 TEST(CarmenLog, WithoutAScanIsRefused) {
   EXPECT_EQ(carmen_problems(""), "run.clf: is empty");
