@@ -51,7 +51,8 @@ class LaserCsvParser {
   Result<LaserRecording> parse(std::string_view text);
 
  private:
-  void read_row(std::string_view line);
+  void take_comment(std::string_view comment);
+  void read_row();
   bool has_angles() const {
     return columns_.first_angle || (facts_.first_angle_rad && facts_.angle_step_rad);
   }
@@ -86,7 +87,7 @@ Result<LaserRecording> LaserCsvParser::parse(std::string_view text) {
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) continue;
     if (line[first] == '#') {
-      if (const auto fact = read_csv_fact(line.substr(first + 1))) facts_.take(*fact);
+      take_comment(line.substr(first + 1));
     } else if (!has_header) {
       const Result<CsvColumns> columns = read_csv_header(line, name_, line_);
       if (!columns) return columns.problems();
@@ -97,7 +98,7 @@ Result<LaserRecording> LaserCsvParser::parse(std::string_view text) {
       if (!is_whole && cells_.size() < columns_.names.size()) {
         recording_.warnings.push_back({{name_, line_}, "the file is cut off in this row, which is left out"});
       } else {
-        read_row(line);
+        read_row();
       }
     }
   }
@@ -105,7 +106,14 @@ Result<LaserRecording> LaserCsvParser::parse(std::string_view text) {
   return finish();
 }
 
-void LaserCsvParser::read_row(std::string_view) {
+void LaserCsvParser::take_comment(std::string_view comment) {
+  const auto fact = read_csv_fact(comment);
+  if (!fact) return;
+  if (!fact->problem.empty()) return problems_.add(line_, fact->problem);
+  facts_.take(*fact);
+}
+
+void LaserCsvParser::read_row() {
   if (cells_.size() != columns_.names.size()) {
     problems_.add(line_,
                   fmt::format("has {} columns, the header has {}", cells_.size(), columns_.names.size()));

@@ -14,36 +14,37 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kReadingsMax = 10000;
+constexpr std::size_t kRangeColumnsMax = 10000;
+constexpr double kFactMax_m = 1e5;
 
-enum class Dimension { kTime, kLength, kAngle };
+enum class CsvDimension { kTime, kLength, kAngle };
 
-struct UnitName {
+struct CsvUnit {
   std::string_view ending;
-  Dimension dimension;
+  CsvDimension dimension;
   double scale;
 };
 
-constexpr std::array<UnitName, 9> kUnitNames = {{{"_s", Dimension::kTime, 1},
-                                                 {"_ms", Dimension::kTime, 1e-3},
-                                                 {"_us", Dimension::kTime, 1e-6},
-                                                 {"_ns", Dimension::kTime, 1e-9},
-                                                 {"_m", Dimension::kLength, 1},
-                                                 {"_cm", Dimension::kLength, 1e-2},
-                                                 {"_mm", Dimension::kLength, 1e-3},
-                                                 {"_rad", Dimension::kAngle, 1},
-                                                 {"_deg", Dimension::kAngle, kDegree}}};
+constexpr std::array<CsvUnit, 9> kCsvUnits = {{{"_s", CsvDimension::kTime, 1},
+                                               {"_ms", CsvDimension::kTime, 1e-3},
+                                               {"_us", CsvDimension::kTime, 1e-6},
+                                               {"_ns", CsvDimension::kTime, 1e-9},
+                                               {"_m", CsvDimension::kLength, 1},
+                                               {"_cm", CsvDimension::kLength, 1e-2},
+                                               {"_mm", CsvDimension::kLength, 1e-3},
+                                               {"_rad", CsvDimension::kAngle, 1},
+                                               {"_deg", CsvDimension::kAngle, kDegree}}};
 
-struct Quantity {
+struct CsvQuantity {
   std::string_view name;
-  Dimension dimension;
+  CsvDimension dimension;
 };
 
 /// A name such as "heading_deg" as quantity and unit; no unit of this dimension: none.
-std::optional<CsvColumn> column_of(std::string_view name, const Quantity& quantity) {
+std::optional<CsvColumn> column_of(std::string_view name, const CsvQuantity& quantity) {
   if (!name.starts_with(quantity.name)) return std::nullopt;
   const std::string_view ending = name.substr(quantity.name.size());
-  for (const UnitName& unit : kUnitNames) {
+  for (const CsvUnit& unit : kCsvUnits) {
     if (ending == unit.ending && unit.dimension == quantity.dimension) return CsvColumn{0, unit.scale};
   }
   return std::nullopt;
@@ -56,7 +57,7 @@ std::optional<std::size_t> reading_number(std::string_view name) {
   name.remove_prefix(kBeginning.size());
   const std::string_view digits = name.substr(0, name.find('_'));
   const auto number = parse_number(digits);
-  if (!number || !(*number >= 0 && *number < static_cast<double>(kReadingsMax)) ||
+  if (!number || !(*number >= 0 && *number < static_cast<double>(kRangeColumnsMax)) ||
       *number != std::floor(*number)) {
     return std::nullopt;
   }
@@ -101,24 +102,24 @@ class HeaderReader {
 
  private:
   bool take(std::string_view name, std::size_t index) {
-    if (auto column = column_of(name, {"time", Dimension::kTime})) return put(time_, *column, name, index);
-    if (auto column = column_of(name, {"x", Dimension::kLength}))
+    if (auto column = column_of(name, {"time", CsvDimension::kTime})) return put(time_, *column, name, index);
+    if (auto column = column_of(name, {"x", CsvDimension::kLength}))
       return put(columns_.x, *column, name, index);
-    if (auto column = column_of(name, {"y", Dimension::kLength}))
+    if (auto column = column_of(name, {"y", CsvDimension::kLength}))
       return put(columns_.y, *column, name, index);
-    if (auto column = column_of(name, {"heading", Dimension::kAngle})) {
+    if (auto column = column_of(name, {"heading", CsvDimension::kAngle})) {
       return put(columns_.heading, *column, name, index);
     }
-    if (auto column = column_of(name, {"first_angle", Dimension::kAngle})) {
+    if (auto column = column_of(name, {"first_angle", CsvDimension::kAngle})) {
       return put(columns_.first_angle, *column, name, index);
     }
-    if (auto column = column_of(name, {"angle_step", Dimension::kAngle})) {
+    if (auto column = column_of(name, {"angle_step", CsvDimension::kAngle})) {
       return put(columns_.angle_step, *column, name, index);
     }
     const auto number = reading_number(name);
     if (!number) return false;
     const std::string quantity = fmt::format("range_{}", *number);
-    const auto column = column_of(name, {quantity, Dimension::kLength});
+    const auto column = column_of(name, {quantity, CsvDimension::kLength});
     if (!column) return false;
     if (!readings_.emplace(*number, CsvColumn{index, column->scale}).second) twice_ = name;
     return true;
@@ -175,19 +176,25 @@ Result<CsvColumns> read_csv_header(std::string_view header, const std::string& n
 }
 
 std::optional<CsvFact> read_csv_fact(std::string_view comment) {
-  constexpr std::array<Quantity, 6> kFacts = {{{"first_angle", Dimension::kAngle},
-                                               {"angle_step", Dimension::kAngle},
-                                               {"range_max", Dimension::kLength},
-                                               {"mount_x", Dimension::kLength},
-                                               {"mount_y", Dimension::kLength},
-                                               {"mount_heading", Dimension::kAngle}}};
+  constexpr std::array<CsvQuantity, 6> kFacts = {{{"first_angle", CsvDimension::kAngle},
+                                                  {"angle_step", CsvDimension::kAngle},
+                                                  {"range_max", CsvDimension::kLength},
+                                                  {"mount_x", CsvDimension::kLength},
+                                                  {"mount_y", CsvDimension::kLength},
+                                                  {"mount_heading", CsvDimension::kAngle}}};
   const std::size_t colon = comment.find_first_of(":=");
   if (colon == std::string_view::npos) return std::nullopt;
   const std::string_view name = trimmed(comment.substr(0, colon));
-  const auto value = parse_number(trimmed(comment.substr(colon + 1)));
-  if (!value || !std::isfinite(*value)) return std::nullopt;
-  for (const Quantity& fact : kFacts) {
-    if (const auto column = column_of(name, fact)) return CsvFact{fact.name, *value * column->scale};
+  const std::string_view text = trimmed(comment.substr(colon + 1));
+  for (const CsvQuantity& quantity : kFacts) {
+    if (!name.starts_with(quantity.name) || name.find(' ') != std::string_view::npos) continue;
+    const auto column = column_of(name, quantity);
+    if (!column)
+      return CsvFact{quantity.name, 0, fmt::format("'{}' has no unit that is known here", printable(name))};
+    const double limit = quantity.dimension == CsvDimension::kAngle ? 2.1 * kPi : kFactMax_m;
+    const double value = parse_number(text).value_or(std::nan("")) * column->scale;
+    if (std::abs(value) <= limit) return CsvFact{quantity.name, value};
+    return CsvFact{quantity.name, 0, fmt::format("'{}' is no usable number for {}", printable(text), name)};
   }
   return std::nullopt;
 }

@@ -33,9 +33,10 @@ Result<CsvColumns> read_csv_header(std::string_view header, const std::string& n
 struct CsvFact {
   std::string_view quantity;  ///< its name without the unit
   double value = 0;           ///< metres or radians
+  std::string problem = {};   ///< what is wrong with it; empty: nothing
 };
 
-/// None if the comment is no such fact.
+/// None if the comment does not begin with the name of a fact.
 std::optional<CsvFact> read_csv_fact(std::string_view comment);
 
 /// The cells of a line, without quotation marks and blanks about them.

@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-constexpr std::uint32_t kReadingsMax = 100'000;
+constexpr std::uint32_t kRawlogReadingsMax = 100'000;
 
 /// Ticks of 100 ns since 1601; 0: none. In seconds since 1970.
 double read_stamp_s(MrptStream& stream) {
@@ -22,7 +22,7 @@ double read_stamp_s(MrptStream& stream) {
 
 /// A matrix object: rows, columns, elements row by row. `CMatrix`, later `CMatrixF`, has floats.
 template <class Element>
-std::vector<double> read_matrix(MrptStream& stream) {
+std::vector<double> read_matrix_object(MrptStream& stream) {
   const MrptHeader header = stream.read_header();
   if (stream.ok() && (!header.class_name.starts_with("CMatrix") || header.version != 0)) {
     stream.fail(
@@ -67,9 +67,9 @@ SensorPose read_pose3(MrptStream& stream) {
   const int version = stream.read_header_of("CPose3D", 3);
   SensorPose pose;
   if (version == 0) {
-    pose = from_homogeneous(stream, read_matrix<float>(stream));
+    pose = from_homogeneous(stream, read_matrix_object<float>(stream));
   } else if (version == 1) {
-    pose = from_homogeneous(stream, read_matrix<double>(stream));
+    pose = from_homogeneous(stream, read_matrix_object<double>(stream));
   } else if (version == 2) {
     const auto [x, y, z, w, i, j, k] = read_doubles<7>(stream);
     pose = from_quaternion(x, y, w, i, j, k);
@@ -113,7 +113,7 @@ Pose2 read_gaussian_mean(MrptStream& stream) {
   }
   const Pose2 mean = read_pose2(stream);
   if (is_gaussian && header.version == 0) {
-    read_matrix<float>(stream);
+    read_matrix_object<float>(stream);
   } else {
     stream.skip(kSymmetricElements * (is_gaussian && header.version == 1 ? sizeof(float) : sizeof(double)));
   }
@@ -140,9 +140,9 @@ void skip_announced(MrptStream& stream, std::size_t size, bool always) {
   if (is_there || always) stream.skip(size);
 }
 
-void read_readings(MrptStream& stream, bool with_validity, MrptScan& scan) {
+void read_scan_readings(MrptStream& stream, bool with_validity, MrptScan& scan) {
   const auto count = stream.read<std::uint32_t>();
-  if (count > kReadingsMax) return stream.fail(fmt::format("has a scan of {} readings", count));
+  if (count > kRawlogReadingsMax) return stream.fail(fmt::format("has a scan of {} readings", count));
   if (!stream.has(count, sizeof(float))) return stream.skip(count * sizeof(float));
   scan.readings_m.resize(count);
   for (float& reading_m : scan.readings_m) reading_m = stream.read<float>();
@@ -158,8 +158,8 @@ MrptScan read_mrpt_scan(MrptStream& stream, int version) {
   scan.counter_clockwise = stream.read<unsigned char>() != 0;
   scan.range_max_m = stream.read<float>();
   scan.T_vehicle_laser = read_pose3(stream);
-  if (version < 6) read_matrix<float>(stream);  // the pose's covariance
-  read_readings(stream, version >= 1, scan);
+  if (version < 6) read_matrix_object<float>(stream);  // the pose's covariance
+  read_scan_readings(stream, version >= 1, scan);
   if (version >= 2) stream.skip(kStandardDeviation);
   if (version >= 3) scan.stamp_s = read_stamp_s(stream);
   if (version >= 4) stream.skip(kBeamAperture);

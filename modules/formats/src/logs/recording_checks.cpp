@@ -42,14 +42,14 @@ void check_unit(LaserRecording& recording, LengthUnit unit, const std::string& n
 }
 
 /// Motion from one odometry sample to the next.
-struct OdometryStep {
+struct RecordedStep {
   double distance_m, turn_rad, time_s;
 
   double speed_mps() const { return distance_m / std::max(time_s, 1e-3); }
   double rate_radps() const { return turn_rad / std::max(time_s, 1e-3); }
 };
 
-OdometryStep step_before(const std::vector<OdometrySample>& odometry, std::size_t i) {
+RecordedStep step_before(const std::vector<OdometrySample>& odometry, std::size_t i) {
   const Pose2 motion = between(odometry[i - 1].T_odom_vehicle, odometry[i].T_odom_vehicle);
   return {motion.position().norm(), std::abs(motion.theta), odometry[i].time_s - odometry[i - 1].time_s};
 }
@@ -65,7 +65,7 @@ void check_speed(LaserRecording& recording, const std::string& name) {
   constexpr double kMoving_mps = 0.01, kNoVehicle_mps = 20;
   std::vector<double> speeds;
   for (std::size_t i = 1; i < recording.log.odometry.size(); ++i) {
-    const OdometryStep step = step_before(recording.log.odometry, i);
+    const RecordedStep step = step_before(recording.log.odometry, i);
     if (step.time_s > 0 && step.speed_mps() > kMoving_mps) speeds.push_back(step.speed_mps());
   }
   if (speeds.empty()) return;
@@ -85,7 +85,7 @@ struct JumpLimits {
   explicit JumpLimits(const std::vector<OdometrySample>& odometry) {
     std::vector<double> speeds, rates;
     for (std::size_t i = 1; i < odometry.size(); ++i) {
-      const OdometryStep step = step_before(odometry, i);
+      const RecordedStep step = step_before(odometry, i);
       if (step.time_s <= 0) continue;
       speeds.push_back(step.speed_mps());
       rates.push_back(step.rate_radps());
@@ -94,7 +94,7 @@ struct JumpLimits {
     rate_radps = std::max(6.0, 4 * high_quantile(std::move(rates)));
   }
 
-  bool is_jump(const OdometryStep& step) const {
+  bool is_jump(const RecordedStep& step) const {
     constexpr double kFar_m = 20;  // no vehicle drives that far from one line to the next
     if (step.distance_m > kFar_m) return true;
     return (step.distance_m > 1 && step.speed_mps() > speed_mps) ||
@@ -106,9 +106,9 @@ void check_jumps(LaserRecording& recording, const std::string& name) {
   const std::vector<OdometrySample>& odometry = recording.log.odometry;
   const JumpLimits limits(odometry);
   Occurrences jumps;
-  OdometryStep first = {};
+  RecordedStep first = {};
   for (std::size_t i = 1; i < odometry.size(); ++i) {
-    const OdometryStep step = step_before(odometry, i);
+    const RecordedStep step = step_before(odometry, i);
     if (!limits.is_jump(step)) continue;
     if (jumps.count == 0) first = step;
     jumps.add(odometry[i].line);
@@ -121,7 +121,7 @@ void check_jumps(LaserRecording& recording, const std::string& name) {
 }
 
 /// Motion from the scan before.
-OdometryStep motion_to_scan(const LaserLog& log, std::size_t i) {
+RecordedStep motion_to_scan(const LaserLog& log, std::size_t i) {
   const std::size_t from = log.scans[i - 1].odometry_known, to = log.scans[i].odometry_known;
   const double time_s = log.scans[i].time_s - log.scans[i - 1].time_s;
   if (from == 0 || to == 0) return {0, 0, time_s};
@@ -144,7 +144,7 @@ void check_gaps(LaserRecording& recording, const std::string& name) {
   if (steps_m.empty()) return;
   const double usual_m = median(std::move(steps_m));
   for (std::size_t i = 1; i < log.scans.size(); ++i) {
-    const OdometryStep step = motion_to_scan(log, i);
+    const RecordedStep step = motion_to_scan(log, i);
     if (step.distance_m < std::max(kGap_m, kGapInSteps * usual_m) || limits.is_jump(step)) continue;
     if (++gaps > kGapsShown) continue;
     recording.warnings.push_back(

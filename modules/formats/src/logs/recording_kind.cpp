@@ -11,14 +11,14 @@
 namespace aisle {
 namespace {
 
-struct Signature {
+struct FileSignature {
   std::string_view bytes;
   const char* description;
 };
 
 using namespace std::string_view_literals;
 
-constexpr std::array<Signature, 27> kSignatures = {{
+constexpr std::array<FileSignature, 27> kSignatures = {{
     {"\x89PNG"sv, "a PNG image"},
     {"\xff\xd8\xff"sv, "a JPEG image"},
     {"GIF8"sv, "a GIF image"},
@@ -62,7 +62,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-bool is_text(std::string_view head) {
+bool looks_like_text(std::string_view head) {
   return std::none_of(head.begin(), head.end(), [](char c) {
     return static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f';
   });
@@ -92,11 +92,11 @@ RecordingKind recording_kind(std::string_view head) {
 
 std::string describe_contents(std::string_view head) {
   if (head.empty()) return "empty";
-  for (const Signature& signature : kSignatures) {
+  for (const FileSignature& signature : kSignatures) {
     if (head.starts_with(signature.bytes)) return signature.description;
   }
   if (is_tar(head)) return "a tar archive; unpack it first";
-  if (!is_text(head)) return "binary data of no known kind";
+  if (!looks_like_text(head)) return "binary data of no known kind";
   const std::string start = lower_case(head.substr(
       head.find_first_not_of(" \t\r\n") == std::string_view::npos ? 0 : head.find_first_not_of(" \t\r\n"),
       64));

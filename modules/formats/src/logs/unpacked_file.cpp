@@ -108,7 +108,7 @@ UnpackedFile unpack(std::FILE* file, std::size_t max_bytes) {
   return unpacked;
 }
 
-UnpackedFile read_plain(std::FILE* file, std::size_t max_bytes) {
+UnpackedFile read_unpacked(std::FILE* file, std::size_t max_bytes) {
   UnpackedFile plain;
   std::vector<char> input(kUnpackChunk);
   while (plain.bytes.size() < max_bytes) {
@@ -135,7 +135,7 @@ Result<UnpackedFile> unpacked_up_to(const fs::path& path, std::size_t max_bytes)
   std::rewind(file.get());
   UnpackedFile unpacked = magic.starts_with(kGzipMagic)    ? unpack<GzipStream>(file.get(), max_bytes)
                           : magic.starts_with(kBzip2Magic) ? unpack<Bzip2Stream>(file.get(), max_bytes)
-                                                           : read_plain(file.get(), max_bytes);
+                                                           : read_unpacked(file.get(), max_bytes);
   if (unpacked.bytes.empty() && !unpacked.damage.empty()) {
     return Problem{{path.string()}, "cannot be read: " + unpacked.damage};
   }

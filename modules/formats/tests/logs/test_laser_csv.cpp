@@ -93,6 +93,15 @@ TEST(LaserCsv, ProblemsHaveTheirLineAndColumn) {
   EXPECT_THAT(table_problems(row + "nan,1,2,90,1,2,3\n"), HasSubstr("run.csv:5: time_s"));
 }
 
+TEST(LaserCsv, FactsThatCannotBeUsedAreProblems) {
+  const std::string table = kFacts + kHeader + "10,1,2,90,1,2,3\n";
+  EXPECT_THAT(table_problems("# range_max_m: twelve\n" + table),
+              HasSubstr("run.csv:1: 'twelve' is no usable"));
+  EXPECT_THAT(table_problems("# range_max_m: 1e300\n" + table), HasSubstr("run.csv:1: '1e300' is no usable"));
+  EXPECT_THAT(table_problems("# range_max: 12\n" + table), HasSubstr("run.csv:1: 'range_max' has no unit"));
+  EXPECT_EQ(table_problems("# recorded: today\n" + table), "");
+}
+
 TEST(LaserCsv, HeadersThatLackSomethingAreRefusedWithWhatIsMissing) {
   EXPECT_THAT(table_problems("x_m,y_m\n1,2\n"), HasSubstr("run.csv:1: the header has no column 'time_s'"));
   EXPECT_THAT(table_problems("time_s,x_m,range_0_m,range_1_m\n"), HasSubstr("needs all three"));
