@@ -49,9 +49,6 @@ Result<LaserRecording> CarmenParser::parse(std::string_view text) {
          "the poses of the scans are not those of the ODOM lines: a mapping program "
          "has corrected them; they are taken as odometry"});
   }
-  if (log().odometry.empty()) {
-    recording_.warnings.push_back({{name_}, "has no odometry: there are scans, but no poses"});
-  }
   const Problems problems = check_recording(recording_, options_.unit, name_);
   if (!problems.empty()) return problems;
   return std::move(recording_);

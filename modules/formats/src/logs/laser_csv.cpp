@@ -64,6 +64,8 @@ class LaserCsvParser {
                   fmt::format("'{}' {}", printable(cells_[column.index]), what));
   }
   Result<LaserRecording> finish();
+  std::optional<Problem> settle_beams_of_scans();
+  void warn_of_contents();
   void settle_laser();
 
   std::string name_;
@@ -176,32 +178,39 @@ Result<LaserRecording> LaserCsvParser::finish() {
         "does not say where the beams look: give columns first_angle_deg and angle_step_deg, or comments "
         "such as '# first_angle_deg: -90' and '# angle_step_deg: 1'"};
   }
-  readings_.warn(name_, recording_.warnings);
-  if (!columns_.unknown.empty()) {
-    const std::size_t shown = std::min<std::size_t>(columns_.unknown.size(), 5);
-    recording_.warnings.push_back(
-        {{name_},
-         fmt::format("{} columns mean nothing here and are skipped: {}", columns_.unknown.size(),
-                     fmt::join(columns_.unknown.begin(), columns_.unknown.begin() + static_cast<long>(shown),
-                               ", "))});
-  }
-  for (LaserScan& scan : recording_.log.scans) {
-    if (!scan.beams) scan.beams = ScanBeams{*facts_.first_angle_rad, *facts_.angle_step_rad};
-    const double swept_rad =
-        std::abs(scan.beams->angle_step_rad) * static_cast<double>(scan.ranges_m.size() - 1);
-    if (scan.beams->angle_step_rad == 0 || swept_rad > 2.1 * kPi) {
-      return Problem{{name_, scan.line},
-                     fmt::format("{} readings in steps of {:.4g} deg make no scan", scan.ranges_m.size(),
-                                 to_degrees(scan.beams->angle_step_rad))};
-    }
-    if (scan.beams->angle_step_rad < 0) make_counter_clockwise(scan);
-  }
+  if (const auto problem = settle_beams_of_scans()) return *problem;
+  warn_of_contents();
   settle_laser();
   mend_clock(recording_.log, name_, recording_.warnings);
-  if (!columns_.x) recording_.warnings.push_back({{name_}, "has no odometry: there are scans, but no poses"});
   const Problems problems = check_recording(recording_, LengthUnit::kMetre, name_);
   if (!problems.empty()) return problems;
   return std::move(recording_);
+}
+
+std::optional<Problem> LaserCsvParser::settle_beams_of_scans() {
+  for (LaserScan& scan : recording_.log.scans) {
+    if (!scan.beams) scan.beams = ScanBeams{*facts_.first_angle_rad, *facts_.angle_step_rad};
+    const double step_rad = scan.beams->angle_step_rad;
+    const double swept_rad = std::abs(step_rad) * static_cast<double>(scan.ranges_m.size() - 1);
+    if (step_rad == 0 || swept_rad > 2.1 * kPi) {
+      return Problem{{name_, scan.line},
+                     fmt::format("{} readings in steps of {:.4g} deg make no scan", scan.ranges_m.size(),
+                                 to_degrees(step_rad))};
+    }
+    if (step_rad < 0) make_counter_clockwise(scan);
+  }
+  return std::nullopt;
+}
+
+void LaserCsvParser::warn_of_contents() {
+  readings_.warn(name_, recording_.warnings);
+  if (columns_.unknown.empty()) return;
+  constexpr std::size_t kShown = 5;
+  std::vector<std::string> shown = columns_.unknown;
+  if (shown.size() > kShown) shown.resize(kShown);
+  recording_.warnings.push_back({{name_},
+                                 fmt::format("{} columns mean nothing here and are skipped: {}",
+                                             columns_.unknown.size(), fmt::join(shown, ", "))});
 }
 
 void LaserCsvParser::settle_laser() {

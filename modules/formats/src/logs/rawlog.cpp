@@ -138,9 +138,6 @@ Result<LaserRecording> RawlogParser::finish() {
   odometry_.finish();
   scans_.finish(options_, name_, recording_);
   mend_clock(recording_.log, name_, recording_.warnings);
-  if (recording_.log.odometry.empty()) {
-    recording_.warnings.push_back({{name_}, "has no odometry: there are scans, but no poses"});
-  }
   const Problems problems = check_recording(recording_, LengthUnit::kMetre, name_);
   if (!problems.empty()) return problems;
   return std::move(recording_);

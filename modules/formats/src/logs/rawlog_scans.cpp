@@ -112,7 +112,35 @@ void RawlogScans::settle_ranges() {
 
 void RawlogScans::finish(const RecordingOptions& options, const std::string& name,
                          LaserRecording& recording) {
-  Problems& warnings = recording.warnings;
+  warn_of_contents(name, recording.warnings);
+  if (understated_.count > 0) recording.other_beams.push_back(stated_);
+  settle_beams(log_, name, recording.warnings);
+  settle_ranges();
+  if (2 * valid_in_range_ < in_range_) {
+    recording.warnings.push_back(
+        {{name}, "most readings in range are marked invalid: the marks are not believed"});
+  } else {
+    apply_validity();
+  }
+  if (options.T_vehicle_laser) log_.laser().T_vehicle_laser = *options.T_vehicle_laser;
+  recording.has_mounting = options.T_vehicle_laser ||
+                           std::any_of(log_.lasers.begin(), log_.lasers.end(), [](const LaserScanner& laser) {
+                             return is_off_origin(laser.T_vehicle_laser);
+                           });
+}
+
+/// Beyond the range, "invalid" means that nothing was seen; before it, that the beam tells nothing.
+void RawlogScans::apply_validity() {
+  for (std::size_t i = 0; i < log_.scans.size(); ++i) {
+    LaserScan& scan = log_.scans[i];
+    const double range_max_m = log_.lasers[scan.laser].range_max_m;
+    for (std::size_t beam = 0; beam < validity_[i].size(); ++beam) {
+      if (validity_[i][beam] == 0 && scan.ranges_m[beam] < range_max_m) scan.ranges_m[beam] = 0;
+    }
+  }
+}
+
+void RawlogScans::warn_of_contents(const std::string& name, Problems& warnings) const {
   const auto warn = [&](const Occurrences& where, std::string what) {
     if (where.count > 0) warnings.push_back({{name, where.first_line}, std::move(what)});
   };
@@ -121,30 +149,9 @@ void RawlogScans::finish(const RecordingOptions& options, const std::string& nam
   warn(unusable_,
        fmt::format("object: {} scans have no readings or no angles; they are left out", unusable_.count));
   warn(understated_,
-       fmt::format(
-           "object: {} scans state an aperture of {:.0f} deg, half a degree a reading; as scanners with "
-           "so many readings see 180 deg, that is taken",
-           understated_.count, -2 * to_degrees(stated_.first_angle_rad)));
-  if (understated_.count > 0) recording.other_beams.push_back(stated_);
-  settle_beams(log_, name, warnings);
-  settle_ranges();
-  if (2 * valid_in_range_ < in_range_) {
-    warnings.push_back({{name}, "most readings in range are marked invalid: the marks are not believed"});
-  } else {
-    for (std::size_t i = 0; i < log_.scans.size(); ++i) {
-      LaserScan& scan = log_.scans[i];
-      const double range_max_m = log_.lasers[scan.laser].range_max_m;
-      for (std::size_t beam = 0; beam < validity_[i].size(); ++beam) {
-        // Beyond the range, "invalid" means that nothing was seen; before it, that the beam tells nothing.
-        if (validity_[i][beam] == 0 && scan.ranges_m[beam] < range_max_m) scan.ranges_m[beam] = 0;
-      }
-    }
-  }
-  if (options.T_vehicle_laser) log_.laser().T_vehicle_laser = *options.T_vehicle_laser;
-  recording.has_mounting = options.T_vehicle_laser ||
-                           std::any_of(log_.lasers.begin(), log_.lasers.end(), [](const LaserScanner& laser) {
-                             return is_off_origin(laser.T_vehicle_laser);
-                           });
+       fmt::format("object: {} scans state an aperture of {:.0f} deg, half a degree a reading; as scanners "
+                   "with so many readings see 180 deg, that is taken",
+                   understated_.count, -2 * to_degrees(stated_.first_angle_rad)));
 }
 
 }  // namespace aisle

@@ -30,6 +30,8 @@ class RawlogScans {
   void count_validity(const MrptScan& scan);
   void add_readings(const MrptScan& scan, long object, LaserScan& to);
   void settle_ranges();
+  void apply_validity();
+  void warn_of_contents(const std::string& name, Problems& warnings) const;
 
   LaserLog& log_;
   std::vector<Scanner> scanners_;

@@ -161,6 +161,9 @@ void check_gaps(LaserRecording& recording, const std::string& name) {
 
 Problems check_recording(LaserRecording& recording, LengthUnit unit, const std::string& name) {
   Problems problems;
+  if (recording.log.odometry.empty()) {
+    recording.warnings.push_back({{name}, "has no odometry: there are scans, but no poses"});
+  }
   check_unit(recording, unit, name, problems);
   check_heading_unit(recording, name, problems);
   check_speed(recording, name);
