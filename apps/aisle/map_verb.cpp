@@ -34,7 +34,8 @@ void add_map_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("map", "build a wall map from a recorded 2-D laser log with odometry");
   auto options = std::make_shared<MapOptions>();
   verb->fallthrough();
-  verb->add_option("LOG", options->log, "CARMEN log, plain or gzip");
+  verb->add_option("LOG", options->log,
+                   "recording of a 2-D laser scanner: CARMEN log, MRPT rawlog, CSV, ROS bag");
   verb->add_option("--relations", options->relations,
                    "file of known relative poses, to measure the error against");
   add_choice<MapRules>(*verb, "--rules", options->rules,
@@ -42,9 +43,10 @@ void add_map_verb(CLI::App& app, Work& work) {
                        "mapping rules; published: Algorithms 2 and 3 of C99 only (default refined)");
   verb->add_option("--out", options->out, "output directory for the map, its pictures and the trajectory");
   verb->add_flag("--force", options->force, "overwrite existing results");
-  add_choice<LengthUnit>(*verb, "--units", options->reading.unit,
-                         {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}},
-                         "unit of lengths in the log (default m)");
+  add_choice<LengthUnit>(
+      *verb, "--units", options->reading.unit,
+      {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}, {"mm", LengthUnit::kMillimetre}},
+      "unit of lengths in the log (default m)");
   verb->add_option_function<std::string>(
       "--laser-offset",
       [options](const std::string& text) { options->reading.T_vehicle_laser = parse_offset(text); },

@@ -10,6 +10,7 @@
 #include "aisle/commands/process_usage.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/images/map_server.hpp"
+#include "aisle/formats/logs/read_laser_recording.hpp"
 #include "aisle/formats/logs/relations.hpp"
 #include "aisle/formats/logs/trajectory.hpp"
 #include "aisle/learning/walls/map_building.hpp"
@@ -171,9 +172,9 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
   const Problems more = options.parameters.apply_to(fields);
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) return problems;
-  const auto read = read_carmen_log(options.log, options.reading);
+  const auto read = read_laser_recording(options.log, options.reading);
   if (!read) return read.problems();
-  for (const std::string& warning : read->warnings) console.warn(warning);
+  for (const Problem& warning : read->warnings) console.warn(to_string(warning));
   const LaserLog& log = read->log;
   std::vector<PoseRelation> relations;
   if (options.relations) {

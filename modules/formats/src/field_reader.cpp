@@ -100,19 +100,22 @@ double FieldReader::any_number(const char* what) {
     return 0;
   }
   const auto value = parse_number(field_);
-  if (!value) return fail_field(what, "is not a number");
-  if (std::isnan(*value)) return fail_field(what, "is not a usable number");
-  return *value;
+  return value ? *value : fail_field(what, "is not a number");
+}
+
+double FieldReader::number_but_nan(const char* what) {
+  const double value = any_number(what);
+  return std::isnan(value) ? fail_field(what, "is not a usable number") : value;
 }
 
 double FieldReader::number(const char* what, double limit) {
-  const double value = any_number(what);
+  const double value = number_but_nan(what);
   if (std::abs(value) > limit) return fail_field(what, "is absurdly large");
   return value;
 }
 
 double FieldReader::distance(const char* what, double limit) {
-  const double value = any_number(what);
+  const double value = number_but_nan(what);
   if (value < 0) return fail_field(what, "is negative");
   if (std::isinf(value)) return 0;
   if (value > limit) return fail_field(what, "is absurdly large");

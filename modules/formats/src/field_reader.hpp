@@ -26,6 +26,8 @@ class FieldReader {
 
   /// The next field; empty at the end of the line, which is not a failure.
   std::string_view word();
+  /// The next field as any number; NaN and infinity are numbers.
+  double any_number(const char* what);
   /// The next field as a number of magnitude `limit` or less.
   double number(const char* what, double limit);
   /// A distance: not negative; infinity becomes 0, "nothing seen".
@@ -42,7 +44,7 @@ class FieldReader {
   const std::string& failure() const { return failure_; }
 
  private:
-  double any_number(const char* what);
+  double number_but_nan(const char* what);
   double fail_field(const char* what, const char* why);
 
   std::string_view rest_;

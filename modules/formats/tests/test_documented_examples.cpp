@@ -8,6 +8,7 @@
 #include "aisle/formats/images/plan_image.hpp"
 #include "aisle/formats/key_script_text.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
+#include "aisle/formats/logs/laser_csv.hpp"
 #include "aisle/formats/logs/relations.hpp"
 #include "aisle/formats/logs/trajectory.hpp"
 #include "aisle/formats/sessions/decision_text.hpp"
@@ -38,6 +39,14 @@ TEST(DocumentedExamples, TheCarmenLogIsRead) {
   EXPECT_THAT(carmen->warnings, IsEmpty());
   EXPECT_THAT(carmen->log.scans, SizeIs(2));
   EXPECT_THAT(carmen->log.laser().T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 0, 0));
+}
+
+TEST(DocumentedExamples, TheLaserCsvIsRead) {
+  const auto table = parse_laser_csv(example("laser_csv.md"), "laser_csv.md");
+  ASSERT_TRUE(table.ok()) << to_string(table.problems());
+  ASSERT_THAT(table->log.scans, SizeIs(2));
+  EXPECT_THAT(table->log.scans[0].ranges_m, SizeIs(5));
+  EXPECT_THAT(table->log.laser().T_vehicle_laser, PoseNear(Pose2{0.15, 0, 0}, 0, 0));
 }
 
 TEST(DocumentedExamples, BothFormsOfRelationsAreReadAndSayTheSame) {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "aisle/vehicle/laser_log.hpp"
 #include "field_reader.hpp"
-#include "logs/carmen_beam_angles.hpp"
 
 namespace aisle {
 
@@ -17,8 +17,9 @@ struct StampFields {
 };
 
 struct ScanMessage {
-  std::vector<float> ranges_m;        ///< as recorded; infinite ones are 0
-  std::optional<BeamAngles> angles;   ///< absent if the message does not give it (FLASER)
+  std::vector<double> readings_m;     ///< as recorded: any of them may be NaN, infinite or negative
+  std::optional<ScanBeams> beams;     ///< absent if the message does not give them (FLASER); may be clockwise
+  bool fits_field_of_view = true;     ///< false: the angular resolution did not, and is not used
   double maximum_range_m = 0;         ///< 0: not given
   std::optional<Pose2> T_odom_laser;  ///< absent if the message has no poses (RAWLASER1)
   std::optional<Pose2> T_odom_vehicle;

@@ -20,7 +20,7 @@ void check_expressible(const LaserLog& log) {
   if (log.scans.empty()) return;
   const std::size_t beams = log.scans.front().ranges_m.size();
   if (beams < 2) throw std::invalid_argument(fmt::format("carmen_text: scans of {} beams", beams));
-  const BeamAngles angles = flaser_beam_angles(beams, std::nullopt);
+  const ScanBeams angles = flaser_beams(beams, std::nullopt);
   if (std::abs(angles.first_angle_rad - log.laser().first_angle_rad) > 1e-9 ||
       std::abs(angles.angle_step_rad - log.laser().angle_step_rad) > 1e-9) {
     throw std::invalid_argument(fmt::format("carmen_text: {} beams from {} rad by {} rad are not FLASER's",

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "aisle/core/angle.hpp"
-#include "aisle/formats/logs/carmen_log.hpp"
+#include "logs/carmen_lines.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -15,30 +15,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-/// Three readings straight right, ahead and left, taken at (1, 2).
-std::string flaser(double stamp_s, const std::string& ranges = "1.5 2 3") {
-  return "FLASER 3 " + ranges + " 1 2 0.5 1 2 0.5 " + std::to_string(stamp_s) + " host 0.1\n";
-}
-
-std::string rawlaser(double stamp_s) {
-  return "RAWLASER1 0 -1.0 2.0 1.0 10.0 0.01 0 3 1 2 3 0 " + std::to_string(stamp_s) + " host 0.1\n";
-}
-
-std::string odom(double x_m, double stamp_s) {
-  return "ODOM " + std::to_string(x_m) + " 0 0 0.3 0 0 " + std::to_string(stamp_s) + " host 0.1\n";
-}
-
-CarmenLog parsed(const std::string& text, const CarmenOptions& options = {}) {
-  auto carmen = parse_carmen_log(text, "run.clf", options);
-  if (!carmen.ok()) throw std::runtime_error(to_string(carmen.problems()));
-  return *carmen;
-}
-
-std::string carmen_problems(const std::string& text) {
-  const auto carmen = parse_carmen_log(text, "run.clf");
-  return carmen.ok() ? "" : to_string(carmen.problems());
-}
 
 TEST(CarmenLog, AFlaserLineIsAScanWithItsOwnOdometry) {
   const LaserLog log = parsed("# a comment\n\n" + flaser(10.25) + flaser(10.5, "1 1 1")).log;
@@ -103,7 +79,7 @@ TEST(CarmenLog, TheMountingIsTheUsersElseTheParametersElseThatOfThePoses) {
       "PARAM robot_frontlaser_offset 0.2 host 1\nPARAM robot_frontlaser_side_offset 0.3 host 1\n";
   EXPECT_THAT(parsed(scan).log.laser().T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 1e-12, 0));
   EXPECT_THAT(parsed(scan + params).log.laser().T_vehicle_laser, PoseNear(Pose2{0.2, 0.3, 0}, 1e-12, 0));
-  CarmenOptions options;
+  RecordingOptions options;
   options.T_vehicle_laser = Pose2{0.5, 0, 1};
   EXPECT_THAT(parsed(scan + params, options).log.laser().T_vehicle_laser, PoseNear(Pose2{0.5, 0, 1}, 0, 0));
 }
@@ -114,7 +90,7 @@ TEST(CarmenLog, CorrectedLaserPosesTellNothingAboutTheMounting) {
 }
 
 TEST(CarmenLog, InCentimetresEveryLengthIsAHundredthOfAMetre) {
-  CarmenOptions options;
+  RecordingOptions options;
   options.unit = LengthUnit::kCentimetre;
   const LaserLog log =
       parsed("PARAM robot_frontlaser_offset 25\nFLASER 3 150 200 300 100 200 0.5 100 200 0.5 1 host 1\n",
@@ -126,12 +102,12 @@ TEST(CarmenLog, InCentimetresEveryLengthIsAHundredthOfAMetre) {
 }
 
 TEST(CarmenLog, WrongUnitsAreWarnedOf) {
-  CarmenOptions centimetres;
+  RecordingOptions centimetres;
   centimetres.unit = LengthUnit::kCentimetre;
-  EXPECT_THAT(parsed(flaser(1, "150 200 300")).warnings, ElementsAre(HasSubstr("--units cm")));
-  EXPECT_THAT(parsed("PARAM robot_front_laser_max 50\n" + flaser(1, "150 200 300")).warnings,
-              ElementsAre(HasSubstr("--units cm")));
-  EXPECT_THAT(parsed(flaser(1), centimetres).warnings, ElementsAre(HasSubstr("--units cm")));
+  EXPECT_THAT(warnings_of(parsed(flaser(1, "150 200 290"))), HasSubstr("--units cm"));
+  EXPECT_THAT(warnings_of(parsed("PARAM robot_front_laser_max 50\n" + flaser(1, "150 200 290"))),
+              HasSubstr("--units cm"));
+  EXPECT_THAT(warnings_of(parsed(flaser(1), centimetres)), HasSubstr("--units cm"));
   EXPECT_THAT(parsed(flaser(1, "150 200 300"), centimetres).warnings, IsEmpty());
 }
 
@@ -143,14 +119,19 @@ TEST(CarmenLog, ARepeatedLargestReadingMeansNothingSeen) {
   EXPECT_NEAR(parsed(flaser(1, "2 5 6") + "PARAM robot_front_laser_max 8\n").log.laser().range_max_m, 8, 0.5);
 }
 
-TEST(CarmenLog, InfiniteReadingsAreNothingSeen) {
-  EXPECT_THAT(parsed(flaser(1, "inf 2 3")).log.scans[0].ranges_m, ElementsAre(0.0F, 2, 3));
+TEST(CarmenLog, InfiniteReadingsMeanThatNothingWasInRange) {
+  const LaserRecording carmen = parsed("PARAM robot_front_laser_max 8\n" + flaser(1, "inf 2 3"));
+  EXPECT_GE(carmen.log.scans[0].ranges_m[0], carmen.log.laser().range_max_m);
+  EXPECT_THAT(warnings_of(carmen), HasSubstr("run.clf:2: 1 readings are infinite"));
+  const LaserRecording without_maximum = parsed(flaser(1, "inf 2 3"));
+  EXPECT_GE(without_maximum.log.scans[0].ranges_m[0], without_maximum.log.laser().range_max_m);
+  EXPECT_GT(without_maximum.log.laser().range_max_m, 3);
 }
 
 TEST(CarmenLog, StampsThatGoBackAreMendedAndTheScansStayInFileOrder) {
   std::string text;
   for (const double stamp_s : {100.0, 100.5, 101.0, 3.0, 3.5, 9000.0, 9000.5}) text += flaser(stamp_s);
-  const CarmenLog carmen = parsed(text);
+  const LaserRecording carmen = parsed(text);
   std::vector<double> stamps, times;
   for (const LaserScan& scan : carmen.log.scans) {
     stamps.push_back(scan.stamp_s);
@@ -158,29 +139,28 @@ TEST(CarmenLog, StampsThatGoBackAreMendedAndTheScansStayInFileOrder) {
   }
   EXPECT_THAT(stamps, ElementsAre(100, 100.5, 101, 3, 3.5, 9000, 9000.5));
   EXPECT_THAT(times, ElementsAre(100, 100.5, 101, 101.5, 102, 102.5, 103));
-  EXPECT_THAT(carmen.warnings,
-              ElementsAre("run.clf:4: stamps go back, jump or stand still at 2 places, first here; "
-                          "scans are taken in file order"));
+  EXPECT_EQ(warnings_of(carmen),
+            "run.clf:4: stamps go back, jump or stand still at 2 places, first here; "
+            "scans are taken in file order");
 }
 
 TEST(CarmenLog, AStoppedClockIsWarnedOfWithTheStepThatIsTaken) {
-  EXPECT_THAT(parsed(flaser(7) + flaser(7) + flaser(7) + flaser(7)).warnings,
-              ElementsAre("run.clf:3: stamps go back, jump or stand still at 2 places, first here; "
-                          "scans are taken in file order, 0.1 s from one line to the next"));
+  EXPECT_EQ(warnings_of(parsed(flaser(7) + flaser(7) + flaser(7) + flaser(7))),
+            "run.clf:2: stamps go back, jump or stand still at 3 places, first here; "
+            "scans are taken in file order, with times guessed from how far the vehicle moved");
 }
 
 TEST(CarmenLog, OdometryThatJumpsIsWarnedOfOnceWithItsPlace) {
   const auto at = [](double x_m, double stamp_s) { return odom(x_m, stamp_s) + rawlaser(stamp_s); };
-  EXPECT_THAT(
-      parsed(at(0, 1) + at(19, 2) + at(40, 3) + at(41, 4) + at(0, 5)).warnings,
-      ElementsAre("run.clf:5: the odometry jumps by 21 m from the pose before; 2 such jumps in the log"));
-  EXPECT_THAT(parsed(at(0, 1) + at(19, 2) + at(38, 3)).warnings, IsEmpty());
+  EXPECT_EQ(warnings_of(parsed(at(0, 1) + at(1, 2) + at(2, 3) + at(23, 4) + at(24, 5) + at(0, 6))),
+            "run.clf:7: the odometry jumps by 21.0 m, 0 deg from the pose before; 2 such jumps");
+  EXPECT_THAT(parsed(at(0, 1) + at(3, 2) + at(6, 3)).warnings, IsEmpty());
 }
 
 TEST(CarmenLog, OtherMessagesAreSkippedAndUnknownOnesCounted) {
-  EXPECT_THAT(parsed("SYNC tag 1 host 1\nNMEA-GGA 1\nRLASER 1 5\n" + flaser(1)).warnings, IsEmpty());
-  EXPECT_THAT(parsed("HELLO\n" + flaser(1) + "WORLD 3\n").warnings,
-              ElementsAre("run.clf:1: 'HELLO' is not a CARMEN message; 2 such lines were skipped"));
+  EXPECT_THAT(parsed("SYNC tag 1 host 1\nNMEA-GGA 1\nRLASER 1 5\nNEFF 20\n" + flaser(1)).warnings, IsEmpty());
+  EXPECT_EQ(warnings_of(parsed("HELLO\n" + flaser(1) + "WORLD 3\n")),
+            "run.clf:1: 'HELLO' is not a CARMEN message; 2 such lines were skipped");
 }
 
 TEST(CarmenLog, LineEndsOfOtherSystemsAndNoneAtAllAreFine) {
@@ -190,53 +170,62 @@ TEST(CarmenLog, LineEndsOfOtherSystemsAndNoneAtAllAreFine) {
   EXPECT_THAT(parsed("FLASER 3 1 2 3 1 2 0 1 2 0\t1 host 1\r\n").log.scans, SizeIs(1));
 }
 
-struct BadLog {
-  std::string name, text, problem;
+struct DamagedLine {
+  std::string name, line, damage;
 
-  friend void PrintTo(const BadLog& log, std::ostream* out) { *out << log.problem; }
+  friend void PrintTo(const DamagedLine& line, std::ostream* out) { *out << line.damage; }
 };
 
-class BadCarmenLog : public testing::TestWithParam<BadLog> {};
+class DamagedCarmenLog : public testing::TestWithParam<DamagedLine> {};
 
-TEST_P(BadCarmenLog, IsAProblemWithItsPlace) {
-  EXPECT_THAT(carmen_problems(GetParam().text), HasSubstr(GetParam().problem));
+TEST_P(DamagedCarmenLog, IsReadWithoutTheLineAndAWarningWithItsPlace) {
+  const LaserRecording carmen = parsed(flaser(1) + flaser(2) + GetParam().line);
+  EXPECT_THAT(carmen.log.scans, SizeIs(2));
+  EXPECT_THAT(warnings_of(carmen), HasSubstr("run.clf:3: "));
+  EXPECT_THAT(warnings_of(carmen), HasSubstr(GetParam().damage));
 }
 
-const std::string good_line = flaser(1);
-
 INSTANTIATE_TEST_SUITE_P(
-    CarmenLog, BadCarmenLog,
+    CarmenLog, DamagedCarmenLog,
     testing::Values(
-        BadLog{"Empty", "", "run.clf: is empty"},  //
-        BadLog{"NoScans", "# nothing\n" + odom(1, 2), "run.clf: has no scans"},
-        BadLog{"Binary", good_line + std::string("\x7f\0\x02", 3), "run.clf:2: is binary data"},
-        BadLog{"RawScansWithoutOdometry", rawlaser(1), "no ODOM lines"},
-        BadLog{"CutOffInTheReadings", good_line + "FLASER 3 1 2", "run.clf:2: the line ends after 4 fields"},
-        BadLog{"CutOffInThePoses", good_line + "FLASER 3 1 2 3 1 2 0 1",
-               "run.clf:2: the line ends after 9 fields"},
-        BadLog{"CutOffInTheStamps", good_line + "FLASER 3 1 2 3 1 2 0 1 2 0 7.5 ho",
-               "run.clf:2: the line ends before"},
-        BadLog{"CutOffInTheName", good_line + "FLAS", "run.clf:2: the file is cut off here"},
-        BadLog{"OdometryCutOff", good_line + "ODOM 1 2",
-               "run.clf:2: the line ends after 3 fields, before its robot pose"},
-        BadLog{"MoreFieldsThanAnnounced", "FLASER 3 1 2 3 4 5 6 1 2 0 1 2 0 7.5 host 1\n", "more fields"},
-        BadLog{"OtherBeamCount", good_line + "FLASER 2 1 2 1 2 0 1 2 0 7 host 1\n",
-               "has 2 readings, the first scan (line 1) has 3"},
-        BadLog{"OtherBeamAngles",
-               odom(1, 1) + rawlaser(1) + "RAWLASER1 0 -1.0 2.0 0.5 10.0 0.01 0 3 1 2 3 0 2 host 1\n",
-               "different beam angles"},
-        BadLog{"NegativeReading", flaser(1, "1 -2 3"), "field 4, reading: '-2' is negative"},
-        BadLog{"NanReading", flaser(1, "1 nan 3"), "'nan' is not a usable number"},
-        BadLog{"WordForAReading", flaser(1, "1 x 3"), "'x' is not a number"},
-        BadLog{"AbsurdReading", flaser(1, "1 1e30 3"), "'1e30' is absurdly large"},
-        BadLog{"InfinitePose", "FLASER 3 1 2 3 inf 2 0 1 2 0 7 host 1\n",
-               "laser pose: 'inf' is absurdly large"},
-        BadLog{"NanStamp", "FLASER 3 1 2 3 1 2 0 1 2 0 nan host 1\n", "ipc timestamp: 'nan'"},
-        BadLog{"HugeCount", "FLASER 1e9 1 2 3 1 2 0 1 2 0 7 host 1\n", "not a whole number from 2 to 10000"},
-        BadLog{"BrokenCount", "FLASER 2.5 1 2 3 1 2 0 1 2 0 7 host 1\n", "not a whole number"},
-        BadLog{"ZeroResolution", good_line + "PARAM laser_front_laser_resolution 0\n", "not positive"},
-        BadLog{"ParameterWithoutValue", good_line + "PARAM robot_frontlaser_offset\n", "before its offset"}),
-    [](const auto& bad_log) { return bad_log.param.name; });
+        DamagedLine{"CutOffInTheReadings", "FLASER 3 1 2", "the line ends after 4 fields"},
+        DamagedLine{"CutOffInThePoses", "FLASER 3 1 2 3 1 2 0 1", "the line ends after 9 fields"},
+        DamagedLine{"CutOffInTheStamps", "FLASER 3 1 2 3 1 2 0 1 2 0 7.5 ho", "the line ends before"},
+        DamagedLine{"CutOffInTheName", "FLAS", "the file is cut off here"},
+        DamagedLine{"OdometryCutOff", "ODOM 1 2", "the line ends after 3 fields, before its robot pose"},
+        DamagedLine{"MoreFieldsThanAnnounced", "FLASER 3 1 2 3 4 5 6 1 2 0 1 2 0 7.5 host 1\n",
+                    "more fields"},
+        DamagedLine{"WordForAReading", flaser(1, "1 x 3"), "'x' is not a number"},
+        DamagedLine{"InfinitePose", "FLASER 3 1 2 3 inf 2 0 1 2 0 7 host 1\n",
+                    "laser pose: 'inf' is absurdly large"},
+        DamagedLine{"NanStamp", "FLASER 3 1 2 3 1 2 0 1 2 0 nan host 1\n", "ipc timestamp: 'nan'"},
+        DamagedLine{"HugeCount", "FLASER 1e9 1 2 3 1 2 0 1 2 0 7 host 1\n",
+                    "not a whole number from 2 to 10000"},
+        DamagedLine{"BrokenCount", "FLASER 2.5 1 2 3 1 2 0 1 2 0 7 host 1\n", "not a whole number"},
+        DamagedLine{"ZeroResolution", "PARAM laser_front_laser_resolution 0\n", "not positive"},
+        DamagedLine{"ParameterWithoutValue", "PARAM robot_frontlaser_offset\n", "before its offset"}),
+    [](const auto& line) { return line.param.name; });
+
+TEST(CarmenLog, AParameterThatIsLeftOutSaysNothing) {
+  const LaserRecording carmen = parsed("PARAM laser_front_laser_resolution 0\n" + flaser(1));
+  EXPECT_NEAR(carmen.log.laser().angle_step_rad, 90 * kDegree, 1e-12);
+}
+
+TEST(CarmenLog, WithoutAScanIsRefused) {
+  EXPECT_EQ(carmen_problems(""), "run.clf: is empty");
+  EXPECT_THAT(carmen_problems("# nothing\n" + odom(1, 2)), HasSubstr("run.clf: has no scans"));
+}
+
+TEST(CarmenLog, IsRefusedWhereMostLinesCannotBeRead) {
+  EXPECT_THAT(carmen_problems(flaser(1) + "FLASER 3 1\nFLASER 3 1\n"), HasSubstr("run.clf:2: the line ends"));
+  EXPECT_EQ(carmen_problems(flaser(1) + "FLASER 3 1\n"), "");
+}
+
+TEST(CarmenLog, RawScansWithoutOdometryAreScansAlone) {
+  const LaserRecording carmen = parsed(rawlaser(1) + rawlaser(2));
+  EXPECT_THAT(carmen.log.odometry, IsEmpty());
+  EXPECT_THAT(warnings_of(carmen), HasSubstr("has no odometry"));
+}
 
 TEST(CarmenLog, AFileFullOfProblemsShowsTwentyAndCountsTheRest) {
   std::string text;

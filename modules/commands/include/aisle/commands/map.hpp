@@ -7,7 +7,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
-#include "aisle/formats/logs/carmen_log.hpp"
+#include "aisle/formats/logs/laser_recording.hpp"
 
 namespace aisle {
 
@@ -19,7 +19,7 @@ enum class MapRules {
 struct MapOptions {
   std::filesystem::path log;
   MapRules rules = MapRules::kRefined;
-  CarmenOptions reading;
+  RecordingOptions reading;
   std::optional<double> odometry_delay_s;  ///< of the odometry behind its scan; none: estimated from the log
   std::optional<std::filesystem::path> relations;  ///< file of known relative poses, for evaluation
   std::filesystem::path out;                       ///< output directory; empty: figures only

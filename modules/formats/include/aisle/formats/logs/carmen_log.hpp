@@ -2,36 +2,23 @@
 /// Laser logs in CARMEN's format, one message per line; see docs/formats/carmen.md.
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "aisle/core/result.hpp"
-#include "aisle/vehicle/laser_log.hpp"
+#include "aisle/formats/logs/laser_recording.hpp"
 
 namespace aisle {
 
-enum class LengthUnit { kMetre, kCentimetre };
-
-struct CarmenOptions {
-  LengthUnit unit = LengthUnit::kMetre;  ///< of every length in the file
-  std::optional<Pose2> T_vehicle_laser;  ///< overrides the laser's mounting in the log
-};
-
-struct CarmenLog {
-  LaserLog log;
-  std::vector<std::string> warnings;  ///< what looks wrong but is usable; one sentence each
-};
-
-/// The scans of one scanner in file order, with the odometry. Plain or gzip. Anything unreadable (no scans, a
-/// truncated line, a differing number of beams, readings that are not distances ...) is a problem with its
-/// line number; after 20 problems the rest is only counted.
-Result<CarmenLog> read_carmen_log(const std::filesystem::path& path, const CarmenOptions& options = {});
+/// The scans of one scanner in file order, with the odometry. Plain, gzip or bzip2. Lines that cannot be read
+/// are left out with a warning. Where fewer than half of the scans and poses can be read, each line is a
+/// problem with its number; after 20 problems the rest is only counted.
+Result<LaserRecording> read_carmen_log(const std::filesystem::path& path,
+                                       const RecordingOptions& options = {});
 
 /// The same from memory; `name` is the file name in problems and warnings.
-Result<CarmenLog> parse_carmen_log(std::string_view text, const std::string& name,
-                                   const CarmenOptions& options = {});
+Result<LaserRecording> parse_carmen_log(std::string_view text, const std::string& name,
+                                        const RecordingOptions& options = {});
 
 /// The scanner that writes FLASER lines with this many readings. A FLASER line contains no angles; they
 /// follow from the number of readings, as docs/formats/carmen.md explains.

@@ -1,0 +1,80 @@
+#include "aisle/formats/logs/read_laser_recording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "aisle/formats/bags/laser_bag.hpp"
+#include "aisle/formats/logs/carmen_log.hpp"
+#include "aisle/formats/logs/laser_csv.hpp"
+#include "aisle/formats/logs/rawlog.hpp"
+#include "logs/recording_kind.hpp"
+#include "logs/unpacked_file.hpp"
+
+namespace aisle {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kWhatIsRead =
+    "recordings are CARMEN logs, MRPT rawlogs, CSV (each plain, gzip or bzip2), and ROS bags (.bag, .db3, "
+    ".mcap)";
+
+Result<LaserRecording> read_recording_file(const fs::path& path, const RecordingOptions& options) {
+  const Result<std::string> head = read_unpacked_head(path, kRecordingHead);
+  if (!head) return head.problems();
+  const RecordingKind kind = recording_kind(*head);
+  if (kind == RecordingKind::kOther) {
+    return Problem{{path.string()}, fmt::format("is {}; {}", describe_contents(*head), kWhatIsRead)};
+  }
+  if (kind == RecordingKind::kCarmen) return read_carmen_log(path, options);
+  const Result<UnpackedFile> file = read_unpacked_file(path);
+  if (!file) return file.problems();
+  Result<LaserRecording> recording = kind == RecordingKind::kRawlog
+                                         ? parse_rawlog(file->bytes, path.string(), options)
+                                         : parse_laser_csv(file->bytes, path.string(), options);
+  if (recording && options.unit != LengthUnit::kMetre) {
+    recording->warnings.push_back({{path.string()}, "states its own units: --units says nothing of it"});
+  }
+  if (recording && !file->damage.empty()) {
+    recording->warnings.push_back({{path.string()}, file->damage + "; what comes before is used"});
+  }
+  return recording;
+}
+
+bool is_recording(const fs::path& path) {
+  if (is_bag(path)) return true;
+  if (!fs::is_regular_file(path)) return false;
+  const Result<std::string> head = read_unpacked_head(path, kRecordingHead);
+  return head && recording_kind(*head) != RecordingKind::kOther;
+}
+
+Result<LaserRecording> read_recording_folder(const fs::path& folder, const RecordingOptions& options) {
+  std::vector<fs::path> recordings;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (is_recording(entry->path())) recordings.push_back(entry->path());
+  }
+  if (error) return Problem{{folder.string()}, "cannot be listed: " + error.message()};
+  if (recordings.size() == 1) return read_laser_recording(recordings.front(), options);
+  if (recordings.empty()) {
+    return Problem{{folder.string()}, fmt::format("is a folder without a recording; {}", kWhatIsRead)};
+  }
+  std::sort(recordings.begin(), recordings.end());
+  return Problem{{folder.string()},
+                 fmt::format("is a folder of {} recordings: name one of them, such as {}", recordings.size(),
+                             recordings.front().string())};
+}
+
+}  // namespace
+
+Result<LaserRecording> read_laser_recording(const fs::path& path, const RecordingOptions& options) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return Problem{{path.string()}, "no such file"};
+  if (is_bag(path)) return read_laser_bag(path, options);
+  if (fs::is_directory(path, error)) return read_recording_folder(path, options);
+  return read_recording_file(path, options);
+}
+
+}  // namespace aisle
