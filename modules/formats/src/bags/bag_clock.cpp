@@ -17,10 +17,6 @@ constexpr double kSameJump_s = 5;    ///< two streams see one and the same jump 
 constexpr double kGapMin_s = 2;
 constexpr double kNominal_s = 0.1;  ///< the step of a stream that shows none
 
-double seconds(ros::Stamp_ns stamp) {
-  return ros::stamp_s(stamp);
-}
-
 /// The median of log stamp - stamp over the messages that have a stamp.
 double median_delay_s(const MessageStream& stream) {
   std::vector<double> delays_s;
@@ -51,7 +47,7 @@ std::vector<double> stamped_s(const MessageStream& stream, const std::string& fi
   const double delay_s = by_log ? 0 : median_delay_s(stream);
   std::vector<double> times_s;
   for (const MessageTime& time : stream.times)
-    times_s.push_back(by_log || time.stamp == 0 ? seconds(time.log_stamp) - delay_s : seconds(time.stamp));
+    times_s.push_back(by_log || time.stamp == 0 ? ros::stamp_s(time.log_stamp) - delay_s : ros::stamp_s(time.stamp));
   return times_s;
 }
 
@@ -61,7 +57,7 @@ void align_clocks(std::span<const MessageStream> streams, const std::string& fil
   const auto delay_of = [&](std::size_t i) {
     std::vector<double> delays_s;
     for (std::size_t k = 0; k < times_s[i].size(); ++k)
-      delays_s.push_back(seconds(streams[i].times[k].log_stamp) - times_s[i][k]);
+      delays_s.push_back(ros::stamp_s(streams[i].times[k].log_stamp) - times_s[i][k]);
     return delays_s.empty() ? 0 : median(std::move(delays_s));
   };
   const double first_s = delay_of(0);

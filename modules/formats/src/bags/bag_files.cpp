@@ -15,7 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMetadataMax_bytes = std::size_t{16} << 20;
 constexpr std::size_t kFilesMax = 100'000;
 
 bool is_digit(char c) {

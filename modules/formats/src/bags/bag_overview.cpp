@@ -63,15 +63,14 @@ Result<BagOverview> bag_overview(const std::filesystem::path& path) {
   auto bag = BagReader::open(path);
   if (!bag) return bag.problems();
   BagOverview overview;
-  std::vector<long> counts;
+  for (const BagTopic& topic : bag->topics()) overview.topics.push_back({.topic = topic, .serves = served_by(topic)});
+  std::vector<long> counts(overview.topics.size());
   while (true) {
     const auto message = bag->next();
     if (!message) return message.problems();
     if (!*message) break;
-    for (std::size_t i = overview.topics.size(); i < bag->topics().size(); ++i)
-      overview.topics.push_back({.topic = bag->topics()[i], .serves = served_by(bag->topics()[i])});
-    counts.resize(overview.topics.size());
     const std::size_t topic = (*message)->topic;
+    if (topic >= counts.size()) continue;  // the bag's own summary does not know it
     add(**message, ++counts[topic], overview.topics[topic]);
     const ros::Stamp_ns stamp = (*message)->log_stamp;
     overview.first = overview.messages == 0 ? stamp : std::min(overview.first, stamp);

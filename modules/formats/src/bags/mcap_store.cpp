@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-enum Opcode : std::uint8_t {
+enum McapOpcode : std::uint8_t {
   kFooter = 2,
   kSchema = 3,
   kChannel = 4,
@@ -119,6 +119,7 @@ RecordStore::Step McapStore::read_message(ByteStream& bytes, std::uint64_t size,
   if (head.size() < kRecordHead_bytes + kMessageHead_bytes) return Step::kCut;
   const auto channel = channels_.find(number_at<std::uint16_t>(head, kRecordHead_bytes));
   const auto stamp = static_cast<ros::Stamp_ns>(number_at<std::uint64_t>(head, kRecordHead_bytes + 6));
+  if (channel == channels_.end()) warn("messages whose channel is not described are left out");
   if (channel == channels_.end() || channel->second == kUnread) {
     bytes.skip(kRecordHead_bytes + size);
     return Step::kOther;

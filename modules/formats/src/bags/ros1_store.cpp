@@ -5,7 +5,7 @@
 namespace aisle {
 namespace {
 
-enum Opcode : std::uint8_t { kMessageData = 2, kBagHeader = 3, kChunkRecord = 5, kConnection = 7 };
+enum Ros1Opcode : std::uint8_t { kMessageData = 2, kBagHeader = 3, kChunkRecord = 5, kConnection = 7 };
 
 constexpr std::size_t kHeaderMax_bytes = std::size_t{1} << 20;
 constexpr std::size_t kConnectionMax_bytes = std::size_t{16} << 20;
@@ -84,6 +84,7 @@ RecordStore::Step Ros1Store::read_record(ByteStream& bytes, std::uint64_t left, 
     const auto connection = connections_.find(header.connection);
     if (connection != connections_.end())
       return take_message(bytes, connection->second, header.stamp(), size, message);
+    warn("messages whose connection is not described are left out");
     bytes.skip(size);
     return Step::kOther;
   }
