@@ -47,7 +47,8 @@ std::vector<double> stamped_s(const MessageStream& stream, const std::string& fi
   const double delay_s = by_log ? 0 : median_delay_s(stream);
   std::vector<double> times_s;
   for (const MessageTime& time : stream.times)
-    times_s.push_back(by_log || time.stamp == 0 ? ros::stamp_s(time.log_stamp) - delay_s : ros::stamp_s(time.stamp));
+    times_s.push_back(by_log || time.stamp == 0 ? ros::stamp_s(time.log_stamp) - delay_s
+                                                : ros::stamp_s(time.stamp));
   return times_s;
 }
 

@@ -63,7 +63,8 @@ Result<BagOverview> bag_overview(const std::filesystem::path& path) {
   auto bag = BagReader::open(path);
   if (!bag) return bag.problems();
   BagOverview overview;
-  for (const BagTopic& topic : bag->topics()) overview.topics.push_back({.topic = topic, .serves = served_by(topic)});
+  for (const BagTopic& topic : bag->topics())
+    overview.topics.push_back({.topic = topic, .serves = served_by(topic)});
   std::vector<long> counts(overview.topics.size());
   while (true) {
     const auto message = bag->next();

@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include "bags/byte_stream.hpp"
-
 namespace aisle {
 namespace fs = std::filesystem;
 
@@ -20,27 +18,6 @@ std::vector<std::string> journals_of(const fs::path& database) {
     if (!error && bytes > 0) found.emplace_back(ending);
   }
   return found;
-}
-
-/// The bytes of a database by its own header, and those that are there up to a whole page.
-struct PagedSize {
-  std::uint64_t stated = 0;
-  std::uint64_t there = 0;
-  std::uint64_t whole = 0;
-};
-
-PagedSize paged_size(const fs::path& database) {
-  constexpr std::size_t kHeader_bytes = 100;
-  auto file = ByteStream::open(database);
-  if (!file) return {};
-  const std::string_view header = file->peek(kHeader_bytes);
-  if (header.size() < kHeader_bytes) return {};
-  const auto byte = [&](std::size_t at) { return std::uint64_t{static_cast<unsigned char>(header[at])}; };
-  std::uint64_t page = byte(16) << 8 | byte(17);
-  if (page == 1) page = 65536;
-  if (page < 512) return {};
-  const std::uint64_t pages = byte(28) << 24 | byte(29) << 16 | byte(30) << 8 | byte(31);
-  return {pages * page, file->size(), file->size() / page * page};
 }
 
 Result<TemporaryDirectory> copied_with(const fs::path& database, const std::vector<std::string>& journals) {
@@ -68,22 +45,24 @@ Result<std::unique_ptr<BagStore>> SqliteStore::open(const fs::path& path, TopicT
 
 Problems SqliteStore::open_database() {
   const auto journals = journals_of(path_);
-  const PagedSize size = paged_size(path_);
-  is_cut_ = journals.empty() && size.there < size.stated;
-  // SQLite would take the missing rest of a page for zeros, so a file that ends within one is shortened.
-  const bool shorten = is_cut_ && size.whole < size.there;
   fs::path path = path_;
-  if (!journals.empty() || shorten) {
+  if (!journals.empty()) {
     auto copy = copied_with(path_, journals);
     if (!copy) return copy.problems();
     copy_ = std::move(*copy);
     path = copy_->path() / "bag.db3";
-    std::error_code error;
-    if (shorten) fs::resize_file(path, size.whole, error);
   }
-  auto database = journals.empty() ? sqlite::Database::open_unchanged(path) : sqlite::Database::open(path);
+  auto database = copy_ ? sqlite::Database::open(path) : sqlite::Database::open_unchanged(path);
   if (!database) return {{{path_.string()}, database.problems().front().what}};
   database_ = std::make_unique<sqlite::Database>(std::move(*database));
+  if (copy_) return {};
+  auto pages = SqlitePages::open(path_);
+  if (!pages) return pages.problems();
+  if (pages->bytes() >= pages->stated_bytes()) return {};
+  pages_ = std::move(*pages);
+  cut_rows_ = pages_->messages();
+  warn(fmt::format("is cut off at byte {} of {}; the {} whole messages are read", pages_->bytes(),
+                   pages_->stated_bytes(), cut_rows_.size()));
   return {};
 }
 
@@ -112,11 +91,14 @@ Result<BagStore::Survey> SqliteStore::survey() {
 }
 
 void SqliteStore::rewind() {
-  rows_.reset();
+  has_begun_ = false;
 }
 
 void SqliteStore::begin(bool with_data) {
+  has_begun_ = true;
   number_ = 0;
+  rows_.reset();
+  if (pages_) return;
   // The data of other topics is not even read from the disk.
   std::string wanted;
   for (std::size_t i = 0; with_data && i < topic_of_.size(); ++i) {
@@ -130,31 +112,37 @@ void SqliteStore::begin(bool with_data) {
   if (rows) rows_ = std::move(*rows);
 }
 
-std::optional<SqliteStore::Row> SqliteStore::next_row() {
-  if (!rows_) return std::nullopt;
-  const Result<bool> more = rows_->step();
-  if (!more || !*more) {
-    if (is_cut_ || !more)
-      warn(fmt::format("is {}; the {} messages before are read", is_cut_ ? "cut off" : "damaged", number_));
-    return std::nullopt;
+bool SqliteStore::step() {
+  const auto next = static_cast<std::size_t>(number_);
+  if (pages_ ? next >= cut_rows_.size() : !rows_) return false;
+  if (!pages_) {
+    const Result<bool> more = rows_->step();
+    if (!more) warn(fmt::format("is damaged; the {} messages before are read", number_));
+    if (!more || !*more) return false;
   }
   ++number_;
-  Row row;
-  const auto topic = tables_->index_of(rows_->integer(0));
-  const auto stamp = tables_->stamp_of(rows_->integer(1));
-  if (topic && stamp) {
-    row = {topic_of_[*topic], *stamp};
-  } else if (warnings().empty()) {
-    warn((topic ? stamp.problems() : topic.problems()).front().what + "; such messages are left out");
-  }
-  return row;
+  return true;
+}
+
+std::optional<SqliteStore::Row> SqliteStore::next_row() {
+  if (!step()) return std::nullopt;
+  const SqlitePages::Row* const cut = pages_ ? &cut_rows_[static_cast<std::size_t>(number_) - 1] : nullptr;
+  const auto topic = tables_->index_of(cut ? cut->topic_id : rows_->integer(0));
+  const auto stamp = tables_->stamp_of(cut ? cut->timestamp : rows_->integer(1));
+  if (topic && stamp) return Row{topic_of_[*topic], *stamp};
+  warn((topic ? stamp.problems() : topic.problems()).front().what + "; such messages are left out");
+  return Row{};
+}
+
+std::string_view SqliteStore::data() {
+  return pages_ ? pages_->data(cut_rows_[static_cast<std::size_t>(number_) - 1]) : rows_->bytes(2);
 }
 
 Result<std::optional<StoredMessage>> SqliteStore::next() {
-  if (!rows_) begin(true);
+  if (!has_begun_) begin(true);
   while (const auto row = next_row()) {
     if (row->topic && topics_.is_wanted(*row->topic))
-      return std::optional(StoredMessage{*row->topic, row->stamp, number_, rows_->bytes(2)});
+      return std::optional(StoredMessage{*row->topic, row->stamp, number_, data()});
   }
   return std::optional<StoredMessage>();
 }

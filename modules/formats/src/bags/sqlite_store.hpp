@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "bags/bag_store.hpp"
+#include "bags/sqlite_pages.hpp"
 #include "bags/temporary_directory.hpp"
 #include "sessions/session_tables.hpp"
 #include "sessions/sqlite.hpp"
@@ -31,6 +32,8 @@ class SqliteStore : public BagStore {
 
   Problems open_database();
   Problems read_topics();
+  bool step();
+  std::string_view data();
   /// The next row; nullopt after the last one that can be read.
   std::optional<Row> next_row();
   /// Begins to read the rows, with the data of wanted topics.
@@ -41,7 +44,9 @@ class SqliteStore : public BagStore {
   std::optional<SessionTables> tables_;
   std::vector<std::size_t> topic_of_;  ///< by index in tables_
   std::optional<sqlite::Statement> rows_;
-  bool is_cut_ = false;  ///< shorter than its header says
+  std::optional<SqlitePages> pages_;  ///< of a file that is shorter than its header says
+  std::vector<SqlitePages::Row> cut_rows_;
+  bool has_begun_ = false;
   long number_ = 0;
 };
 
