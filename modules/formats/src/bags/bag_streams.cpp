@@ -66,7 +66,7 @@ class StreamIntake {
       is_good &= T.has_value();
       if (!T) continue;
       streams_.transforms.add(parent, child, *T);
-      if (!is_odometry_frame(parent) || topic.latched || topic.name.ends_with("tf_static")) continue;
+      if (!is_odometry_frame(parent) || topic.name.ends_with("tf_static")) continue;
       BagMotion& motion = streams_.by_transforms[{parent, child}];
       if (motion.poses.empty()) motion = {topic.name, parent, child, {}};
       motion.poses.push_back({time_of(message, stamped.header), in_the_plane(*T)});

@@ -73,6 +73,11 @@ void tell_doubts(const ScanDoubts& doubts, const std::string& topic, const std::
                      doubts.angles_by_step)});
 }
 
+Problems joined(Problems first, const Problems& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
 /// Of each topic of scans, those of one publisher.
 Problems settle_scans(BagStreams& streams, const std::vector<std::string>& topics, const std::string& file,
                       Problems& warnings) {
@@ -92,7 +97,7 @@ Result<LaserRecording> read_laser_bag(const std::filesystem::path& path, const R
   if (!bag) return bag.problems();
   LaserRecording recording;
   const auto choice = choose_topics(*bag, options, file, recording.warnings);
-  if (!choice) return choice.problems();
+  if (!choice) return joined(choice.problems(), bag->warnings());
   auto streams = read_streams(*bag, *choice, file, recording.warnings);
   if (!streams) return streams.problems();
   std::vector<std::string> topics;
@@ -113,7 +118,7 @@ Result<LaserRecording> read_laser_bag(const std::filesystem::path& path, const R
     recording.has_mounting = true;
   }
   fill_log(recording.log, streams->scans, topics, motion, file, recording.warnings);
-  recording.warnings.insert(recording.warnings.begin(), bag->warnings().begin(), bag->warnings().end());
+  recording.warnings = joined(bag->warnings(), recording.warnings);
   return recording;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/ros_time.hpp"
 #include "sessions/sqlite.hpp"
 
 namespace aisle {
@@ -91,7 +92,8 @@ enum class Written { kCdr, kRos1 };
 template <class Message>
 WrittenMessage written(const std::string& topic, double log_s, const Message& message,
                        Written as = Written::kCdr) {
-  return {topic, Message::kType, ros::stamp_ns(log_s), as == Written::kCdr ? cdr_bytes(message) : Ros1Bytes::of(message)};
+  return {topic, Message::kType, ros::stamp_ns(log_s),
+          as == Written::kCdr ? cdr_bytes(message) : Ros1Bytes::of(message)};
 }
 
 inline std::string mcap_record(int opcode, const std::string& body) {
@@ -115,8 +117,9 @@ inline std::string mcap_bytes(const std::vector<WrittenMessage>& messages, const
   const auto end_chunk = [&] {
     if (layout.chunk_messages > 0 && !chunk.empty()) {
       const std::string content = packed(layout.compression, chunk);
-      out += mcap_record(6, std::string(16, '\0') + number_bytes(std::uint64_t{chunk.size()}) + std::string(4, '\0') +
-                                sized(layout.compression) + number_bytes(std::uint64_t{content.size()}) + content);
+      out += mcap_record(6, std::string(16, '\0') + number_bytes(std::uint64_t{chunk.size()}) +
+                                std::string(4, '\0') + sized(layout.compression) +
+                                number_bytes(std::uint64_t{content.size()}) + content);
     } else {
       out += chunk;
     }
@@ -137,7 +140,8 @@ inline std::string mcap_bytes(const std::vector<WrittenMessage>& messages, const
       descriptions += description;
     }
     ++counts[channel->second];
-    chunk += mcap_record(5, id + std::string(4, '\0') + number_bytes(message.log_stamp) + std::string(8, '\0') + message.bytes);
+    chunk += mcap_record(5, id + std::string(4, '\0') + number_bytes(message.log_stamp) +
+                                std::string(8, '\0') + message.bytes);
     if (++in_chunk == layout.chunk_messages) end_chunk();
   }
   end_chunk();
@@ -146,9 +150,10 @@ inline std::string mcap_bytes(const std::vector<WrittenMessage>& messages, const
   if (layout.has_summary) {
     std::string pairs;
     for (const auto& [channel, count] : counts) pairs += number_bytes(channel) + number_bytes(count);
-    out += descriptions + mcap_record(11, number_bytes(std::uint64_t{messages.size()}) + std::string(18, '\0') +
-                                              number_bytes(messages.empty() ? 0 : messages.front().log_stamp) +
-                                              std::string(8, '\0') + sized(pairs));
+    out +=
+        descriptions + mcap_record(11, number_bytes(std::uint64_t{messages.size()}) + std::string(18, '\0') +
+                                           number_bytes(messages.empty() ? 0 : messages.front().log_stamp) +
+                                           std::string(8, '\0') + sized(pairs));
   }
   return out + mcap_record(2, number_bytes(summary) + std::string(12, '\0')) + magic;
 }
@@ -167,17 +172,20 @@ struct Ros1Layout {
   bool has_index = true;  ///< one that is wrong in all but its place
 };
 
-inline std::string ros1_bag_bytes(const std::vector<WrittenMessage>& messages, const Ros1Layout& layout = {}) {
+inline std::string ros1_bag_bytes(const std::vector<WrittenMessage>& messages,
+                                  const Ros1Layout& layout = {}) {
   std::map<std::string, std::uint32_t> connections;
   const auto bag_header = [](std::uint64_t index) {
-    return "#ROSBAG V2.0\n" + ros1_record(3, ros1_field("index_pos", number_bytes(index)), std::string(40, ' '));
+    return "#ROSBAG V2.0\n" +
+           ros1_record(3, ros1_field("index_pos", number_bytes(index)), std::string(40, ' '));
   };
   std::string chunk, out;
   std::size_t in_chunk = 0;
   const auto end_chunk = [&] {
     if (chunk.empty()) return;
-    out += ros1_record(5, ros1_field("compression", layout.compression) +
-                              ros1_field("size", number_bytes(static_cast<std::uint32_t>(chunk.size()))),
+    out += ros1_record(5,
+                       ros1_field("compression", layout.compression) +
+                           ros1_field("size", number_bytes(static_cast<std::uint32_t>(chunk.size()))),
                        packed(layout.compression, chunk));
     out += ros1_record(4, ros1_field("conn", number_bytes(std::uint32_t{0})), std::string(12, '\xFF'));
     chunk.clear();
@@ -190,8 +198,9 @@ inline std::string ros1_bag_bytes(const std::vector<WrittenMessage>& messages, c
     std::string type = message.type;
     if (const std::size_t msg = type.find("/msg"); msg != std::string::npos) type.erase(msg, 4);
     if (is_new)
-      chunk += ros1_record(7, id + ros1_field("topic", message.topic),
-                           ros1_field("type", type) + ros1_field("latching", "1") + ros1_field("md5sum", "*"));
+      chunk +=
+          ros1_record(7, id + ros1_field("topic", message.topic),
+                      ros1_field("type", type) + ros1_field("latching", "1") + ros1_field("md5sum", "*"));
     const auto s = static_cast<std::uint32_t>(message.log_stamp / 1'000'000'000);
     const auto ns = static_cast<std::uint32_t>(message.log_stamp % 1'000'000'000);
     chunk += ros1_record(2, id + ros1_field("time", number_bytes(s) + number_bytes(ns)), message.bytes);
@@ -203,26 +212,31 @@ inline std::string ros1_bag_bytes(const std::vector<WrittenMessage>& messages, c
 }
 
 /// @param schema  version of rosbag2's tables, 1 to 4
-inline void write_db3(const std::filesystem::path& path, const std::vector<WrittenMessage>& messages, int schema = 4,
-                      const std::string& format = "cdr") {
+inline void write_db3(const std::filesystem::path& path, const std::vector<WrittenMessage>& messages,
+                      int schema = 4, const std::string& format = "cdr") {
   auto database = sqlite::Database::create(path);
   std::string sql =
-      "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, serialization_format TEXT "
+      "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, "
+      "serialization_format TEXT "
       "NOT NULL" +
       std::string(schema > 1 ? ", offered_qos_profiles TEXT NOT NULL" : "") +
-      "); CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL, data BLOB "
+      "); CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT "
+      "NULL, data BLOB "
       "NOT NULL); CREATE INDEX timestamp_idx ON messages (timestamp ASC);";
   if (schema > 1) sql += "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);";
-  if (schema > 2) sql += "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER, metadata TEXT);";
+  if (schema > 2)
+    sql += "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER, metadata TEXT);";
   if (schema > 3) sql += "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT);";
   (void)database->run(sql.c_str());
   std::map<std::string, std::int64_t> topics;
   (void)database->run("BEGIN");
   for (const WrittenMessage& message : messages) {
-    const auto [topic, is_new] = topics.try_emplace(message.topic, static_cast<std::int64_t>(topics.size() + 1));
+    const auto [topic, is_new] =
+        topics.try_emplace(message.topic, static_cast<std::int64_t>(topics.size() + 1));
     if (is_new)
-      (void)database->run(fmt::format("INSERT INTO topics VALUES ({}, '{}', '{}', '{}'{})", topic->second, message.topic,
-                                      message.type, format, schema > 1 ? ", 'durability: 1\n'" : "")
+      (void)database->run(fmt::format("INSERT INTO topics VALUES ({}, '{}', '{}', '{}'{})", topic->second,
+                                      message.topic, message.type, format,
+                                      schema > 1 ? ", 'durability: 1\n'" : "")
                               .c_str());
     auto insert = database->prepare("INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)");
     insert->bind(0, topic->second);

@@ -79,7 +79,8 @@ StoreCase mcap_case(const std::string& name, const McapLayout& layout) {
 }
 
 StoreCase ros1_case(const std::string& compression, bool has_index = true) {
-  return {"Ros1_" + compression + (has_index ? "" : "NoIndex"), "bag.bag", [=](const fs::path& path, int count) {
+  return {"Ros1_" + compression + (has_index ? "" : "NoIndex"), "bag.bag",
+          [=](const fs::path& path, int count) {
             write_file(path, ros1_bag_bytes(texts(count, Written::kRos1), {compression, 4, has_index}));
           }};
 }
@@ -150,7 +151,8 @@ TEST_P(BagStores, SurviveFlippedBytes) {
   Random random(1);
   for (int i = 0; i < 300; ++i) {
     std::string damaged = whole;
-    for (int flip = 0; flip < 3; ++flip) damaged[random.index(damaged.size())] = static_cast<char>(random.bits());
+    for (int flip = 0; flip < 3; ++flip)
+      damaged[random.index(damaged.size())] = static_cast<char>(random.bits());
     write_file(path(), damaged);
     (void)read_bag(path());
   }
@@ -164,13 +166,13 @@ TEST_P(BagStores, AreReadWhenPackedAsAFile) {
   EXPECT_EQ(read_bag(file).texts, expected_texts(11));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, BagStores,
-    testing::Values(mcap_case("", {}), mcap_case("Lz4", {"lz4"}), mcap_case("Zstd", {"zstd"}),
-                    mcap_case("Unchunked", {"", 0}), mcap_case("WithoutSummary", {"zstd", 4, false}),
-                    ros1_case("none"), ros1_case("bz2"), ros1_case("lz4"), ros1_case("lz4", false), sqlite_case(1),
-                    sqlite_case(2), sqlite_case(3), sqlite_case(4)),
-    [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, BagStores,
+                         testing::Values(mcap_case("", {}), mcap_case("Lz4", {"lz4"}),
+                                         mcap_case("Zstd", {"zstd"}), mcap_case("Unchunked", {"", 0}),
+                                         mcap_case("WithoutSummary", {"zstd", 4, false}), ros1_case("none"),
+                                         ros1_case("bz2"), ros1_case("lz4"), ros1_case("lz4", false),
+                                         sqlite_case(1), sqlite_case(2), sqlite_case(3), sqlite_case(4)),
+                         [](const auto& test) { return test.param.name; });
 
 std::string metadata_listing(const std::string& files, const std::string& more = "") {
   return "rosbag2_bagfile_information:\n  custom_data: ~\n" + more + "  relative_file_paths: " + files +
@@ -273,9 +275,11 @@ TEST(BagReader, AJournalIsMergedAndNothingBesideTheBagChanges) {
   {
     auto database = sqlite::Database::open(place / "whole.db3");
     (void)database->run("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0");
-    (void)database->run("INSERT INTO messages(topic_id, timestamp, data) SELECT topic_id, timestamp, data FROM messages");
+    (void)database->run(
+        "INSERT INTO messages(topic_id, timestamp, data) SELECT topic_id, timestamp, data FROM messages");
     for (const char* ending : {"", "-wal"})
-      fs::copy_file(place / ("whole.db3" + std::string(ending)), place / ("bag/bag_0.db3" + std::string(ending)));
+      fs::copy_file(place / ("whole.db3" + std::string(ending)),
+                    place / ("bag/bag_0.db3" + std::string(ending)));
   }
   const auto before = contents(place / "bag");
   EXPECT_THAT(read_bag(place / "bag").texts, SizeIs(8));
@@ -289,7 +293,8 @@ TEST(BagReader, SizesThatAChunkOnlyClaimsAreRefused) {
                             mcap_record(1, sized("ros2") + sized("test")).size();
   bytes.replace(chunk + 9 + 16, 8, number_bytes(std::uint64_t{1} << 40));
   write_file(place / "bag.mcap", bytes);
-  EXPECT_THAT(read_bag(place / "bag.mcap").problems, HasSubstr("claims 1099511627776 bytes, at most 1073741824 are read"));
+  EXPECT_THAT(read_bag(place / "bag.mcap").problems,
+              HasSubstr("claims 1099511627776 bytes, at most 1073741824 are read"));
 }
 
 TEST(BagReader, ADamagedChunkCostsNoOther) {
