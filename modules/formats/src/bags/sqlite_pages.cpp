@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFileHeader_bytes = 100;
 constexpr char kTableLeaf = 13;  ///< first byte of a page with rows
 
-std::uint64_t big_endian(std::string_view bytes) {
+std::uint64_t big_endian_number(std::string_view bytes) {
   std::uint64_t number = 0;
   for (const char byte : bytes) number = number << 8 | static_cast<unsigned char>(byte);
   return number;
@@ -43,7 +43,7 @@ std::optional<std::size_t> integer_bytes(std::uint64_t type) {
 std::int64_t integer(std::uint64_t type, std::string_view bytes) {
   if (type == 8 || type == 9) return static_cast<std::int64_t>(type - 8);
   const std::uint64_t unused_bits = 64 - 8 * bytes.size();
-  return static_cast<std::int64_t>(big_endian(bytes) << unused_bits) >> unused_bits;
+  return static_cast<std::int64_t>(big_endian_number(bytes) << unused_bits) >> unused_bits;
 }
 
 /// Where the columns of a message are in its record.
@@ -85,10 +85,10 @@ Result<SqlitePages> SqlitePages::open(const std::filesystem::path& path) {
   const std::string_view header = file->peek(kFileHeader_bytes);
   SqlitePages pages;
   if (header.size() == kFileHeader_bytes) {
-    pages.page_bytes_ = big_endian(header.substr(16, 2));
+    pages.page_bytes_ = big_endian_number(header.substr(16, 2));
     if (pages.page_bytes_ == 1) pages.page_bytes_ = 65536;
-    pages.usable_bytes_ = pages.page_bytes_ - big_endian(header.substr(20, 1));
-    pages.pages_ = big_endian(header.substr(28, 4));
+    pages.usable_bytes_ = pages.page_bytes_ - big_endian_number(header.substr(20, 1));
+    pages.pages_ = big_endian_number(header.substr(28, 4));
   }
   if (pages.page_bytes_ < 512 || pages.usable_bytes_ < 480)
     return Problem{{path.string()}, "is cut off within its header, or damaged there"};
@@ -132,10 +132,10 @@ std::uint64_t SqlitePages::local_bytes(std::uint64_t payload_bytes) const {
 void SqlitePages::take_rows(std::uint64_t page_number, std::vector<Row>& rows) {
   std::string_view bytes = page(page_number);
   if (bytes.empty() || bytes[0] != kTableLeaf) return;
-  const auto cells = static_cast<std::size_t>(big_endian(bytes.substr(3, 2)));
+  const auto cells = static_cast<std::size_t>(big_endian_number(bytes.substr(3, 2)));
   for (std::size_t i = 0; i < cells && 8 + 2 * i + 2 <= usable_bytes_; ++i) {
     bytes = page(page_number);  // following a row's other pages moved on
-    const auto cell = static_cast<std::size_t>(big_endian(bytes.substr(8 + 2 * i, 2)));
+    const auto cell = static_cast<std::size_t>(big_endian_number(bytes.substr(8 + 2 * i, 2)));
     if (const auto row = row_at(page_number, cell)) rows.push_back(*row);
   }
 }
@@ -166,11 +166,11 @@ std::string_view SqlitePages::record(const Row& row) {
   const std::string_view first = file_.peek(local + 4);
   if (first.size() < std::min(local + 4, size)) return {};
   std::memcpy(memory, first.data(), local);
-  std::uint64_t next = local < size ? big_endian(first.substr(local, 4)) : 0;
+  std::uint64_t next = local < size ? big_endian_number(first.substr(local, 4)) : 0;
   for (std::size_t taken = local; taken < size;) {
     const std::string_view bytes = page(next);
     if (bytes.empty()) return {};
-    next = big_endian(bytes.substr(0, 4));
+    next = big_endian_number(bytes.substr(0, 4));
     const std::size_t part = std::min(size - taken, bytes.size() - 4);
     std::memcpy(memory + taken, bytes.data() + 4, part);
     taken += part;
