@@ -6,7 +6,6 @@
 
 #include "aisle/core/random.hpp"
 #include "bag_writers.hpp"
-#include "bags/bag_files.hpp"
 #include "session_samples.hpp"
 
 namespace aisle {
@@ -202,13 +201,6 @@ TEST(BagReader, ASplitBagWhoseClockWasSetBackKeepsItsOrder) {
   EXPECT_EQ(read_bag(place / "bag").texts, expected_texts(8));
 }
 
-TEST(BagReader, NamesAreSortedByTheirNumbers) {
-  EXPECT_TRUE(natural_less("bag_2.db3", "bag_10.db3"));
-  EXPECT_TRUE(natural_less("bag_02.db3", "bag_10.db3"));
-  EXPECT_FALSE(natural_less("bag_10.db3", "bag_2.db3"));
-  EXPECT_TRUE(natural_less("a", "ab"));
-}
-
 TEST(BagReader, MissingAndUnlistedFilesAreSaid) {
   const SessionPlace place;
   write_file(place / "bag/x_0.mcap", mcap_bytes(texts(3)));
@@ -218,14 +210,6 @@ TEST(BagReader, MissingAndUnlistedFilesAreSaid) {
   EXPECT_EQ(read.texts, expected_texts(3));
   EXPECT_THAT(read.warnings, HasSubstr("relative_file_paths: 'x_1.mcap' is missing"));
   EXPECT_THAT(read.warnings, HasSubstr("y.mcap: is left out"));
-}
-
-TEST(BagReader, MetadataThatIsNoYamlIsSaidAndTheFilesAreRead) {
-  const SessionPlace place;
-  write_file(place / "bag/x_0.mcap", mcap_bytes(texts(3)));
-  write_file(place / "bag/metadata.yaml", "rosbag2_bagfile_information: [");
-  EXPECT_EQ(read_bag(place / "bag").texts, expected_texts(3));
-  EXPECT_THAT(read_bag(place / "bag").warnings, HasSubstr("is not YAML"));
 }
 
 TEST(BagReader, MessagesThatWereCompressedOneByOneAreUnpacked) {
