@@ -14,8 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMetadataMax_bytes = std::size_t{16} << 20;
-
 /// Closing a recording removes its journal, so a journal means that it was killed.
 bool was_killed(const fs::path& database) {
   std::error_code error;

@@ -10,6 +10,7 @@
 namespace aisle {
 
 inline constexpr const char* kMetadataName = "metadata.yaml";
+inline constexpr std::size_t kMetadataMax_bytes = std::size_t{16} << 20;
 
 /// DIRECTORY/NAME_0.db3, where NAME is the directory's own name.
 std::filesystem::path database_path(const std::filesystem::path& directory);

@@ -30,8 +30,11 @@ Result<SessionTables> SessionTables::read(const sqlite::Database& database) {
 }
 
 Problems SessionTables::read_topics() {
+  // The first bags have no quality of service.
   auto rows = database_->prepare(
       "SELECT id, name, type, serialization_format, offered_qos_profiles FROM topics ORDER BY id");
+  if (!rows)
+    rows = database_->prepare("SELECT id, name, type, serialization_format, '' FROM topics ORDER BY id");
   if (!rows) return rows.problems();
   while (true) {
     const Result<bool> more = rows->step();
@@ -42,6 +45,7 @@ Problems SessionTables::read_topics() {
       return {damaged(fmt::format("messages of {} are serialised as '{}'; only cdr is read", name, format))};
     if (topics_.size() == kTopicsMax) return {damaged(fmt::format("has more than {} topics", kTopicsMax))};
     index_of_id_[rows->integer(0)] = topics_.size();
+    ids_.push_back(rows->integer(0));
     topics_.push_back({name, std::string(rows->bytes(2)), is_latched(std::string(rows->bytes(4)))});
   }
 }

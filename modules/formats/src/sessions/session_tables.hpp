@@ -21,6 +21,9 @@ class SessionTables {
 
   const std::vector<SessionTopic>& topics() const { return topics_; }
 
+  /// The topic_id of a topic.
+  std::int64_t id(std::size_t topic) const { return ids_[topic]; }
+
   /// The index of the topic with this topic_id.
   Result<std::size_t> index_of(std::int64_t topic_id) const;
 
@@ -35,6 +38,7 @@ class SessionTables {
 
   const sqlite::Database* database_;
   std::vector<SessionTopic> topics_;
+  std::vector<std::int64_t> ids_;
   std::map<std::int64_t, std::size_t> index_of_id_;
 };
 

@@ -2,37 +2,55 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 namespace aisle::sqlite {
 namespace {
 
 /// The largest message of a session: a colour image of 8192 x 8192 pixels fits.
 constexpr int kValueMax_bytes = 256 << 20;
 
+/// An absolute path, because SQLite treats names that begin with "file:" as URIs.
+std::string absolute_name(const std::filesystem::path& path) {
+  return std::filesystem::absolute(path).string();
+}
+
 }  // namespace
 
-Result<Database> Database::open(const std::filesystem::path& path, int flags, const char* setup) {
+Result<Database> Database::open(const std::filesystem::path& path, const std::string& name, int flags,
+                                const char* setup) {
   Database database;
   database.path_ = path;
   sqlite3* handle = nullptr;
-  // An absolute path, because SQLite treats names that begin with "file:" as URIs.
-  const std::string absolute = std::filesystem::absolute(path).string();
-  const int code = sqlite3_open_v2(absolute.c_str(), &handle, flags, nullptr);
+  const int code = sqlite3_open_v2(name.c_str(), &handle, flags, nullptr);
   database.handle_.reset(handle);
   if (code != SQLITE_OK) return database.failure("cannot be opened");
   sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kValueMax_bytes);
-  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  if ((flags & SQLITE_OPEN_READWRITE) != 0) sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   if (sqlite3_exec(handle, setup, nullptr, nullptr, nullptr) != SQLITE_OK)
     return database.failure("cannot be opened");
   return database;
 }
 
 Result<Database> Database::create(const std::filesystem::path& path) {
-  return open(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE,
+  return open(path, absolute_name(path), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE,
               "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
 }
 
 Result<Database> Database::open(const std::filesystem::path& path) {
-  return open(path, SQLITE_OPEN_READWRITE, "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON");
+  return open(path, absolute_name(path), SQLITE_OPEN_READWRITE,
+              "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON");
+}
+
+Result<Database> Database::open_unchanged(const std::filesystem::path& path) {
+  std::string uri = "file:";
+  for (const char c : absolute_name(path)) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/';
+    uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  // A file that is shorter than its header says is refused unless the schema may be written, as for repair.
+  return open(path, uri + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI,
+              "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA writable_schema = ON");
 }
 
 Problems Database::run(const char* sql) const {

@@ -1,5 +1,5 @@
 #pragma once
-/// The few SQLite functions that sessions need.
+/// The few SQLite functions that sessions and bags need.
 
 #include <sqlite3.h>
 
@@ -23,6 +23,10 @@ class Database {
   /// Opens an existing file for reading; it may be damaged or hostile.
   static Result<Database> open(const std::filesystem::path& path);
 
+  /// The same without changing the file or anything beside it, and as far as it goes if it is cut off. Its
+  /// journals are not merged.
+  static Result<Database> open_unchanged(const std::filesystem::path& path);
+
   /// Runs statements that return no rows. Empty on success.
   Problems run(const char* sql) const;
   Result<Statement> prepare(const char* sql) const;
@@ -35,7 +39,8 @@ class Database {
     void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
   };
 
-  static Result<Database> open(const std::filesystem::path& path, int flags, const char* setup);
+  static Result<Database> open(const std::filesystem::path& path, const std::string& name, int flags,
+                               const char* setup);
 
   std::filesystem::path path_;
   std::unique_ptr<sqlite3, Close> handle_;

@@ -9,7 +9,7 @@
 
 namespace aisle {
 
-/// Defined for every message of ros_messages.hpp that has a kType.
+/// Defined for every message of ros_messages.hpp that has a kType, and for ros::Header.
 template <class Message>
 std::string cdr_bytes(const Message& message);
 

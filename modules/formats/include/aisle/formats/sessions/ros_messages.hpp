@@ -1,5 +1,5 @@
 #pragma once
-/// The standard ROS 2 messages that sessions contain, field by field as in their definitions. Each lists its
+/// The standard ROS messages that sessions and bags contain, field by field as in their definitions. Each lists its
 /// fields once, in the order of its definition: `fields(message, visit)` calls visit("name", field) for each
 /// field. The code that reads and writes the bytes (cdr.hpp) is built on it.
 
@@ -218,6 +218,7 @@ struct Quaternion {
 };
 
 struct Pose {
+  static constexpr const char* kType = "geometry_msgs/msg/Pose";
   Vector3 position;
   Quaternion orientation;
 
@@ -253,6 +254,19 @@ struct Twist {
     visit("angular", self.angular);
   }
   friend bool operator==(const Twist&, const Twist&) = default;
+};
+
+struct TwistStamped {
+  static constexpr const char* kType = "geometry_msgs/msg/TwistStamped";
+  Header header;
+  Twist twist;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("twist", self.twist);
+  }
+  friend bool operator==(const TwistStamped&, const TwistStamped&) = default;
 };
 
 struct PoseWithCovariance {
@@ -309,6 +323,7 @@ struct Transform {
 };
 
 struct TransformStamped {
+  static constexpr const char* kType = "geometry_msgs/msg/TransformStamped";
   Header header;
   std::string child_frame_id;
   Transform transform;

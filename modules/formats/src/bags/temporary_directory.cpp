@@ -1,0 +1,35 @@
+#include "bags/temporary_directory.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace aisle {
+namespace fs = std::filesystem;
+
+Result<TemporaryDirectory> TemporaryDirectory::create() {
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "aisle-bag-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    return Problem{{name}, fmt::format("cannot be made: {}", std::strerror(errno))};
+  return TemporaryDirectory(name);
+}
+
+TemporaryDirectory::TemporaryDirectory(TemporaryDirectory&& other) noexcept
+    : path_(std::exchange(other.path_, {})) {}
+
+TemporaryDirectory& TemporaryDirectory::operator=(TemporaryDirectory&& other) noexcept {
+  std::swap(path_, other.path_);
+  return *this;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code error;
+  if (!path_.empty()) fs::remove_all(path_, error);
+}
+
+}  // namespace aisle
