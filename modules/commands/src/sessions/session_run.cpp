@@ -4,6 +4,21 @@
 #include "route_name.hpp"
 
 namespace aisle {
+namespace {
+
+/// An imported session may lack what maps are made with.
+Problems check_for_learning(const std::filesystem::path& session, const SessionOrigin& origin) {
+  if (!origin.has_odometry)
+    return {{{session.string()}, "has no odometry: nothing can be learned from images alone"}};
+  if (!origin.has_calibration) {
+    return {
+        {{session.string()},
+         "tells nothing of its camera's lens and mount, by which a map is made: import it with --vehicle"}};
+  }
+  return {};
+}
+
+}  // namespace
 
 Result<std::string> route_of_session(const std::filesystem::path& session, const SessionOrigin& origin) {
   const std::string named = origin.route.empty() ? "route" : origin.route;
@@ -15,6 +30,7 @@ Result<std::string> route_of_session(const std::filesystem::path& session, const
 Result<std::size_t> take_observations(const std::filesystem::path& session, SessionCycles& cycles,
                                       Progress& progress,
                                       const std::function<void(const Observation&)>& take) {
+  if (Problems problems = check_for_learning(session, cycles.origin()); !problems.empty()) return problems;
   std::size_t images = 0;
   bool is_empty = true;
   while (true) {

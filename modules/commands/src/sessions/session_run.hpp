@@ -17,8 +17,8 @@ namespace aisle {
 /// The route that the session names; "route" if it names none.
 Result<std::string> route_of_session(const std::filesystem::path& session, const SessionOrigin& origin);
 
-/// Passes the observations of a session that was just opened to `take`, in order. A session without cycles is
-/// a problem.
+/// Passes the observations of a session that was just opened to `take`, in order. A session without cycles,
+/// odometry or the camera's calibration is a problem.
 /// @return number of images
 Result<std::size_t> take_observations(const std::filesystem::path& session, SessionCycles& cycles,
                                       Progress& progress,
