@@ -16,7 +16,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kSidewaysShown_m = 0.05;
+constexpr double kSidewaysWarned_m = 0.05;
 
 /// Somewhere low at the front: placeholders that a session marks as such.
 VehicleDescription unknown_vehicle(const ImageSequence& images, const std::string& camera) {
@@ -86,15 +86,15 @@ Result<ImportedImages> take_all(ImageSequence& images, ImportedSession& session,
   }
 }
 
-void warn(const ImageSequence& images, const ImportedSession& session, const ImportOptions& options,
-          Console& console) {
+void warn_of_import(const ImageSequence& images, const ImportedSession& session, const ImportOptions& options,
+                    Console& console) {
   for (const Problem& problem : images.warnings()) console.warn(to_string(problem));
   if (options.vehicle.empty()) {
     console.warn(to_string(Problem{{options.recording},
                                    "tells nothing of the camera's lens and mount; --vehicle names a vehicle "
                                    "that does"}));
   }
-  if (session.sideways_m() > kSidewaysShown_m) {
+  if (session.sideways_m() > kSidewaysWarned_m) {
     console.warn(
         to_string(Problem{{options.recording},
                           fmt::format("moves sideways, which wheels cannot: the session's odometry is "
@@ -103,8 +103,8 @@ void warn(const ImageSequence& images, const ImportedSession& session, const Imp
   }
 }
 
-Outcome outcome_of(const ImportOptions& options, const ImageSequence& images, const std::string& camera,
-                   const ImportedImages& imported) {
+Outcome import_outcome(const ImportOptions& options, const ImageSequence& images, const std::string& camera,
+                       const ImportedImages& imported) {
   const double duration_s = imported.last_s - imported.first_s;
   const double rate_hz = images.period_s() > 0 ? 1 / images.period_s() : 0;
   Outcome outcome{.verb = "import"};
@@ -153,8 +153,8 @@ Result<Outcome> run_import(const ImportOptions& options, Console& console) {
   const auto imported = take_all(images, *session, console.progress);
   if (!imported) return imported.problems();
   if (Problems problems = session->finish(); !problems.empty()) return problems;
-  warn(images, *session, options, console);
-  return outcome_of(options, images, camera, *imported);
+  warn_of_import(images, *session, options, console);
+  return import_outcome(options, images, camera, *imported);
 }
 
 }  // namespace aisle
