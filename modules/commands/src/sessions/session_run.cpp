@@ -4,9 +4,7 @@
 #include "route_name.hpp"
 
 namespace aisle {
-namespace {
 
-/// An imported session may lack what maps are made with.
 Problems check_for_learning(const std::filesystem::path& session, const SessionOrigin& origin) {
   if (!origin.has_odometry)
     return {{{session.string()}, "has no odometry: nothing can be learned from images alone"}};
@@ -17,8 +15,6 @@ Problems check_for_learning(const std::filesystem::path& session, const SessionO
   }
   return {};
 }
-
-}  // namespace
 
 Result<std::string> route_of_session(const std::filesystem::path& session, const SessionOrigin& origin) {
   const std::string named = origin.route.empty() ? "route" : origin.route;

@@ -14,6 +14,10 @@
 
 namespace aisle {
 
+/// An imported session may lack what maps are made with: odometry, the camera's calibration. Empty: it has
+/// both.
+Problems check_for_learning(const std::filesystem::path& session, const SessionOrigin& origin);
+
 /// The route that the session names; "route" if it names none.
 Result<std::string> route_of_session(const std::filesystem::path& session, const SessionOrigin& origin);
 
