@@ -103,6 +103,7 @@ int run_program(int argc, char** argv) {
   add_sim_verb(app, work);
   add_maze_verb(app, work);
   add_session_verbs(app, work);
+  add_import_verb(app, work);
   add_detect_verb(app, work);
   add_calibrate_verb(app, work);
   add_drive_verb(app, work);

@@ -20,6 +20,7 @@ void add_calibrate_verb(CLI::App& app, Work& work);
 void add_drive_verb(CLI::App& app, Work& work);
 void add_explore_verb(CLI::App& app, Work& work);
 void add_guide_verbs(CLI::App& app, Work& work);
+void add_import_verb(CLI::App& app, Work& work);
 void add_learning_verbs(CLI::App& app, Work& work);
 void add_live_verb(CLI::App& app, Work& work);
 void add_park_verb(CLI::App& app, Work& work);

@@ -16,6 +16,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/worlds/scenario_yaml.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
+#include "image_sequences/image_folder.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -124,18 +125,18 @@ std::string example_line(const std::string& page, int index) {
 }
 
 TEST(DocumentedExamples, TheSessionsTextsAreReadAndWrittenAsTheyStand) {
-  for (const int form : {0, 1}) {
+  for (const int form : {0, 1, 2}) {
     const std::string origin_text = example_line("session.md", form);
     const auto origin = parse_session_origin(origin_text, "session.md");
     ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
     EXPECT_EQ(session_origin_json(*origin), origin_text);
   }
-  const auto decision = parse_decision(example_line("session.md", 2));
+  const auto decision = parse_decision(example_line("session.md", 3));
   ASSERT_TRUE(decision);
-  EXPECT_EQ(decision_text(*decision), example_line("session.md", 2));
-  const auto input = parse_operator(example_line("session.md", 3));
+  EXPECT_EQ(decision_text(*decision), example_line("session.md", 3));
+  const auto input = parse_operator(example_line("session.md", 4));
   ASSERT_TRUE(input);
-  EXPECT_EQ(operator_text(*input), example_line("session.md", 3));
+  EXPECT_EQ(operator_text(*input), example_line("session.md", 4));
 }
 
 TEST(DocumentedExamples, ASessionOfALandmarkMissionContainsABuilding) {
@@ -144,6 +145,15 @@ TEST(DocumentedExamples, ASessionOfALandmarkMissionContainsABuilding) {
   EXPECT_TRUE(parse_building(origin->building, "building").ok());
   EXPECT_EQ(origin->route, "desk to stairs");
   EXPECT_TRUE(origin->in_reverse);
+}
+
+TEST(DocumentedExamples, TheListOfImagesHasPoses) {
+  const auto list = parse_image_csv(example("image-sequences.md"), "recording/list.csv", {});
+  ASSERT_TRUE(list.ok()) << to_string(list.problems());
+  ASSERT_THAT(list->images, SizeIs(3));
+  EXPECT_THAT(list->warnings, IsEmpty());
+  EXPECT_EQ(list->images[1].file, "recording/0002.jpg");
+  EXPECT_THAT(*list->images[2].T_odom_vehicle, PoseNear(Pose2{0.2, 0.01, 4.5 * kDegree}, 0, 1e-12));
 }
 
 TEST(DocumentedExamples, ThePlanIsARoomWithAPillar) {

@@ -39,6 +39,7 @@ void RoomRunCollector::add(const Observation& observation) {
 
 Result<std::vector<RoomCycle>> read_room_run(const std::filesystem::path& session, SessionCycles& cycles,
                                              const RoomLearnerParams& params, Progress& progress) {
+  if (Problems lacking = check_for_learning(session, cycles.origin()); !lacking.empty()) return lacking;
   Problems problems = unfit_for_rooms(cycles.vehicle(), {kFirstCamera});
   for (Problem& problem : problems) problem.where.file = session.string();
   if (!problems.empty()) return problems;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/sessions/session_cycles.hpp"
 #include "aisle/formats/sessions/session_summary.hpp"
 
@@ -52,12 +53,21 @@ nlohmann::ordered_json origin_json(const Result<SessionCycles>& cycles) {
     json["route"] = origin.route;
     json["in_reverse"] = origin.in_reverse;
   }
+  if (!origin.has_odometry) json["odometry"] = false;
+  if (!origin.has_calibration) json["calibration"] = false;
   return json;
+}
+
+std::string imported_text(const SessionOrigin& origin, const VehicleDescription& vehicle) {
+  return fmt::format("imported, {} odometry; {}\n", origin.has_odometry ? "with" : "without",
+                     origin.has_calibration ? fmt::format("vehicle '{}'", vehicle.name)
+                                            : "the camera's lens and mount are not known");
 }
 
 std::string origin_text(const Result<SessionCycles>& cycles) {
   if (!cycles) return "not recorded by aisle: it can be cut, but not replayed\n";
   const SessionOrigin& origin = cycles->origin();
+  if (origin.navigator == kImportedNavigator) return imported_text(origin, cycles->vehicle());
   const std::string route = origin.route.empty() ? ""
                                                  : fmt::format(" along route '{}'{}", origin.route,
                                                                origin.in_reverse ? " in reverse" : "");

@@ -7,6 +7,7 @@
 
 #include "aisle/commands/navigators.hpp"
 #include "aisle/formats/sessions/decision_text.hpp"
+#include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/sessions/recorded_vehicle.hpp"
 #include "aisle/guidance/mission.hpp"
 #include "simulated_record.hpp"
@@ -68,7 +69,9 @@ nlohmann::ordered_json difference_json(const Difference& difference) {
           {"replayed", nlohmann::ordered_json::parse(difference.replayed)}};
 }
 
-std::string comparison_text(const Comparison& comparison) {
+std::string comparison_text(const Comparison& comparison, std::size_t cycles) {
+  if (comparison.compared == 0)
+    return fmt::format("{} cycles; an imported session has no decisions to compare with\n", cycles);
   if (!comparison.first)
     return fmt::format("all {} decisions are the recorded ones, bit for bit\n", comparison.compared);
   const Difference& first = *comparison.first;
@@ -86,11 +89,30 @@ SessionOrigin driver_of(const SessionOrigin& recorded, const std::string& naviga
   return other;
 }
 
+/// Nobody decided in an imported session, so there is nothing to compare with; and a navigator that drives
+/// needs to know how the vehicle moved, and what its camera is.
+Problems check_imported(const SessionReplayOptions& options, const SessionOrigin& origin) {
+  const Place session{options.session.string()};
+  if (options.navigator.empty() || options.navigator == kImportedNavigator) {
+    return {{session,
+             "was imported, so it has no decisions to compare with; --navigator NAME runs a navigator on "
+             "it, aisle live shows it"}};
+  }
+  if (!origin.has_odometry) return {{session, "has no odometry, without which no navigator can decide"}};
+  if (!origin.has_calibration)
+    return {{session, "tells nothing of its camera's lens and mount: import it with --vehicle"}};
+  return {};
+}
+
 }  // namespace
 
 Result<Outcome> run_session_replay(const SessionReplayOptions& options, Console& console) {
   auto cycles = SessionCycles::open(options.session);
   if (!cycles) return cycles.problems();
+  const bool is_imported = cycles->origin().navigator == kImportedNavigator;
+  if (is_imported) {
+    if (Problems problems = check_imported(options, cycles->origin()); !problems.empty()) return problems;
+  }
   const SessionOrigin driver = driver_of(cycles->origin(), options.navigator);
   const auto navigator = make_navigator(driver, cycles->vehicle());
   if (!navigator) return navigator.problems();
@@ -101,7 +123,8 @@ Result<Outcome> run_session_replay(const SessionReplayOptions& options, Console&
   const auto end = run_mission(vehicle, **navigator, comparison, console.progress);
   if (!end) return end.problems();
   if (!vehicle.problems().empty()) return vehicle.problems();
-  if (comparison.compared == 0) return Problem{{options.session.string()}, "has no decision to compare with"};
+  if (comparison.compared == 0 && !is_imported)
+    return Problem{{options.session.string()}, "has no decision to compare with"};
 
   Outcome outcome{.verb = "replay", .ok = comparison.different == 0};
   outcome.figures = {{"navigator", driver.navigator},
@@ -109,7 +132,7 @@ Result<Outcome> run_session_replay(const SessionReplayOptions& options, Console&
                      {"compared", comparison.compared},
                      {"different", comparison.different}};
   if (comparison.first) outcome.figures["first_difference"] = difference_json(*comparison.first);
-  outcome.text = comparison_text(comparison);
+  outcome.text = comparison_text(comparison, end->cycles);
   return outcome;
 }
 

@@ -5,6 +5,17 @@
 
 namespace aisle {
 
+Problems check_for_learning(const std::filesystem::path& session, const SessionOrigin& origin) {
+  if (!origin.has_odometry)
+    return {{{session.string()}, "has no odometry: nothing can be learned from images alone"}};
+  if (!origin.has_calibration) {
+    return {
+        {{session.string()},
+         "tells nothing of its camera's lens and mount, by which a map is made: import it with --vehicle"}};
+  }
+  return {};
+}
+
 Result<std::string> route_of_session(const std::filesystem::path& session, const SessionOrigin& origin) {
   const std::string named = origin.route.empty() ? "route" : origin.route;
   if (Problems problems = check_route_name({session.string(), 0, "route"}, named); !problems.empty())
@@ -15,6 +26,7 @@ Result<std::string> route_of_session(const std::filesystem::path& session, const
 Result<std::size_t> take_observations(const std::filesystem::path& session, SessionCycles& cycles,
                                       Progress& progress,
                                       const std::function<void(const Observation&)>& take) {
+  if (Problems problems = check_for_learning(session, cycles.origin()); !problems.empty()) return problems;
   std::size_t images = 0;
   bool is_empty = true;
   while (true) {

@@ -14,11 +14,15 @@
 
 namespace aisle {
 
+/// An imported session may lack what maps are made with: odometry, the camera's calibration. Empty: it has
+/// both.
+Problems check_for_learning(const std::filesystem::path& session, const SessionOrigin& origin);
+
 /// The route that the session names; "route" if it names none.
 Result<std::string> route_of_session(const std::filesystem::path& session, const SessionOrigin& origin);
 
-/// Passes the observations of a session that was just opened to `take`, in order. A session without cycles is
-/// a problem.
+/// Passes the observations of a session that was just opened to `take`, in order. A session without cycles,
+/// odometry or the camera's calibration is a problem.
 /// @return number of images
 Result<std::size_t> take_observations(const std::filesystem::path& session, SessionCycles& cycles,
                                       Progress& progress,

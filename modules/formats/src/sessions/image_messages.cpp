@@ -99,6 +99,13 @@ RecordedMessage image_message(const CameraImage& camera_image, const ImageCoding
   return recorded(topic_of(camera_image.camera, kCompressed), message);
 }
 
+RecordedMessage image_file_message(const std::string& camera, double stamp_s, std::string_view bytes) {
+  ros::CompressedImage message{.header = header_of(camera, stamp_s),
+                               .format = bytes.starts_with("\xff\xd8") ? "jpeg" : "png",
+                               .data = {bytes.begin(), bytes.end()}};
+  return recorded(topic_of(camera, kCompressed), message);
+}
+
 RecordedMessage camera_info_message(const CameraDescription& camera, double stamp_s) {
   const CameraIntrinsics& lens = camera.intrinsics;
   const ros::CameraInfo info{.header = header_of(camera.name, stamp_s),

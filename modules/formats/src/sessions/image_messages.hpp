@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "aisle/formats/images/image_coding.hpp"
 #include "aisle/vehicle/camera_description.hpp"
@@ -15,6 +16,9 @@ std::string camera_frame(const std::string& camera);
 
 /// @throws std::invalid_argument if the image is empty
 RecordedMessage image_message(const CameraImage& image, const ImageCoding& coding);
+
+/// @param bytes  of a JPEG or PNG file; they are not changed
+RecordedMessage image_file_message(const std::string& camera, double stamp_s, std::string_view bytes);
 
 /// The calibration for viewers, with the image's stamp.
 RecordedMessage camera_info_message(const CameraDescription& camera, double stamp_s);

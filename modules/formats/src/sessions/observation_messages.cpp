@@ -15,20 +15,6 @@ namespace {
 const std::vector<std::string> kFrontSteeredNames = {"distance_m", "steering_rad"};
 const std::vector<std::string> kDifferentialNames = {"left_steps", "right_steps"};
 
-RecordedMessage wheels_message(ros::Stamp_ns stamp, const OdometryReading& reading) {
-  ros::JointState message;
-  message.header.stamp = ros::time_of(stamp);
-  if (const auto* motion = std::get_if<FrontSteeredMotion>(&reading)) {
-    message.name = kFrontSteeredNames;
-    message.position = {motion->distance_m, motion->steering_rad};
-  } else {
-    const auto& steps = std::get<WheelSteps>(reading);
-    message.name = kDifferentialNames;
-    message.position = {static_cast<double>(steps.left), static_cast<double>(steps.right)};
-  }
-  return recorded(kWheelsTopic, message);
-}
-
 bool is_step_count(double value) {
   return std::abs(value) <= std::numeric_limits<int>::max() && value == std::trunc(value);
 }
@@ -110,8 +96,10 @@ class ObservationReader {
     return {};
   }
 
-  std::optional<Observation> result() && {
-    if (!has_odometry_) return std::nullopt;
+  std::optional<Observation> result(bool needs_odometry) && {
+    const bool is_cycle =
+        has_odometry_ || (!needs_odometry && (!observation_.images.empty() || observation_.scan));
+    if (!is_cycle) return std::nullopt;
     return std::move(observation_);
   }
 
@@ -130,6 +118,20 @@ class ObservationReader {
 
 }  // namespace
 
+RecordedMessage wheels_message(ros::Stamp_ns stamp, const OdometryReading& reading) {
+  ros::JointState message;
+  message.header.stamp = ros::time_of(stamp);
+  if (const auto* motion = std::get_if<FrontSteeredMotion>(&reading)) {
+    message.name = kFrontSteeredNames;
+    message.position = {motion->distance_m, motion->steering_rad};
+  } else {
+    const auto& steps = std::get<WheelSteps>(reading);
+    message.name = kDifferentialNames;
+    message.position = {static_cast<double>(steps.left), static_cast<double>(steps.right)};
+  }
+  return recorded(kWheelsTopic, message);
+}
+
 std::vector<RecordedMessage> messages_of(const Observation& observation, const VehicleDescription& vehicle,
                                          const ImageCoding& coding) {
   const ros::Stamp_ns stamp = ros::stamp_ns(observation.stamp_s);
@@ -146,12 +148,12 @@ std::vector<RecordedMessage> messages_of(const Observation& observation, const V
 
 Result<std::optional<Observation>> observation_of(ros::Stamp_ns stamp,
                                                   std::span<const RecordedMessage> messages,
-                                                  const std::string& file) {
+                                                  const std::string& file, bool has_odometry) {
   ObservationReader reader(stamp, file);
   for (const RecordedMessage& message : messages) {
     if (Problems problems = reader.take(message); !problems.empty()) return problems;
   }
-  return std::move(reader).result();
+  return std::move(reader).result(has_odometry);
 }
 
 }  // namespace aisle

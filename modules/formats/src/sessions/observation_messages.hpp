@@ -16,10 +16,15 @@ namespace aisle {
 std::vector<RecordedMessage> messages_of(const Observation& observation, const VehicleDescription& vehicle,
                                          const ImageCoding& coding);
 
+/// What the wheels counted since the cycle before.
+RecordedMessage wheels_message(ros::Stamp_ns stamp, const OdometryReading& reading);
+
 /// From the messages of one stamp, in their order; messages of other topics are ignored.
-/// @return nullopt if they contain no odometry reading, and so are not a cycle
+/// @param has_odometry  whether every cycle contains an odometry reading; if not, an image or a scan makes
+/// one
+/// @return nullopt if they are not a cycle
 Result<std::optional<Observation>> observation_of(ros::Stamp_ns stamp,
                                                   std::span<const RecordedMessage> messages,
-                                                  const std::string& file);
+                                                  const std::string& file, bool has_odometry = true);
 
 }  // namespace aisle

@@ -99,7 +99,7 @@ Problems SessionCycles::Source::take_stamp(ros::Stamp_ns stamp) {
 
 Result<std::optional<SessionCycle>> SessionCycles::Source::cycle_at(ros::Stamp_ns stamp) const {
   const std::string file = messages_.database().string();
-  auto observation = observation_of(stamp, of_stamp_, file);
+  auto observation = observation_of(stamp, of_stamp_, file, origin_.has_odometry);
   if (!observation) return at_time(observation.problems(), stamp);
   auto decision = decision_of(of_stamp_, file);
   if (!decision) return at_time(decision.problems(), stamp);

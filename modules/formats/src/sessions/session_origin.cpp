@@ -21,6 +21,8 @@ std::string session_origin_json(const SessionOrigin& origin) {
   if (!origin.building.empty()) json["building"] = origin.building;
   if (!origin.route.empty()) json["route"] = origin.route;
   if (origin.in_reverse) json["in_reverse"] = true;
+  if (!origin.has_odometry) json["odometry"] = false;
+  if (!origin.has_calibration) json["calibration"] = false;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -38,7 +40,9 @@ Result<SessionOrigin> parse_session_origin(std::string_view text, const std::str
                          .simulated = json.at("simulated").get<bool>(),
                          .building = json.value("building", ""),
                          .route = json.value("route", ""),
-                         .in_reverse = json.value("in_reverse", false)};
+                         .in_reverse = json.value("in_reverse", false),
+                         .has_odometry = json.value("odometry", true),
+                         .has_calibration = json.value("calibration", true)};
   } catch (const Json::exception&) {
     return Problem{{name}, "does not say what made the session"};
   }

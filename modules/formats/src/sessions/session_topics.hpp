@@ -22,6 +22,7 @@ inline constexpr const char* kBumperTopic = "/bumper";
 inline constexpr const char* kOperatorTopic = "/operator";
 inline constexpr const char* kDecisionTopic = "/decision";
 inline constexpr const char* kCommandTopic = "/cmd_vel";
+inline constexpr const char* kControlsTopic = "/controls";
 inline constexpr const char* kTruePoseTopic = "/truth/pose";
 
 /// A message as stored in a session.

@@ -32,9 +32,18 @@ TEST(SessionOrigin, GivesBackTheBuildingsTextToTheLastByte) {
   EXPECT_EQ(*read, origin);
 }
 
+TEST(SessionOrigin, SaysWhatAnImportedSessionLacks) {
+  const std::string text = origin_with(R"(,"odometry":false,"calibration":false)");
+  const auto origin = parse_session_origin(text, "session");
+  ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
+  EXPECT_FALSE(origin->has_odometry);
+  EXPECT_FALSE(origin->has_calibration);
+  EXPECT_EQ(session_origin_json(*origin), text);
+}
+
 TEST(SessionOrigin, ValuesOfAnotherKindAreRefused) {
-  for (const char* members :
-       {R"(,"building":7)", R"(,"building":null)", R"(,"route":[])", R"(,"in_reverse":"yes")"}) {
+  for (const char* members : {R"(,"building":7)", R"(,"building":null)", R"(,"route":[])",
+                              R"(,"in_reverse":"yes")", R"(,"odometry":1)"}) {
     const auto origin = parse_session_origin(origin_with(members), "session");
     ASSERT_FALSE(origin.ok()) << members;
     EXPECT_THAT(to_string(origin.problems()), HasSubstr("does not say what made the session"));

@@ -15,9 +15,11 @@ struct SessionOrigin {
   std::map<std::string, std::string> parameters;  ///< the navigator's, where they differ from the defaults
   std::uint64_t seed = 0;
   bool simulated = false;
-  std::string building = {};  ///< the navigator's initial map, as a building file's text; empty: none
-  std::string route = {};     ///< the route of that building that it drove; empty: none
-  bool in_reverse = false;    ///< the route was driven back
+  std::string building = {};    ///< the navigator's initial map, as a building file's text; empty: none
+  std::string route = {};       ///< the route of that building that it drove; empty: none
+  bool in_reverse = false;      ///< the route was driven back
+  bool has_odometry = true;     ///< false: an imported recording without it; cycles say that nothing moved
+  bool has_calibration = true;  ///< false: the vehicle's lens and mount are placeholders
 
   friend bool operator==(const SessionOrigin&, const SessionOrigin&) = default;
 };

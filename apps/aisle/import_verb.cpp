@@ -1,0 +1,28 @@
+#include <memory>
+
+#include "aisle/commands/import_recording.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+void add_import_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand("import", "make a session of the images of a recording made elsewhere");
+  verb->fallthrough();
+  auto options = std::make_shared<ImportOptions>();
+  verb->add_option("INPUT", options->recording,
+                   "folder of a Donkeycar tub, list of images (CSV), or folder of images")
+      ->required();
+  verb->add_option("-o,--out", options->out, "directory of the new session")->required();
+  verb->add_option("--rate", options->rate_hz,
+                   "images per second, in the place of the recording's stamps (default: its stamps)")
+      ->type_name("HZ")
+      ->check(CLI::Range(0.01, 1000.0));
+  verb->add_option(
+      "--vehicle", options->vehicle,
+      "vehicle that took the images: file (YAML) or name of a shipped vehicle (default: unknown, "
+      "so nothing can be measured in the images)");
+  verb->add_option("--camera", options->camera, "name of the camera (default: the vehicle's, or front)");
+  verb->add_flag("--force", options->force, "overwrite an existing session");
+  verb->callback(
+      [options, &work] { work = [options](Console& console) { return run_import(*options, console); }; });
+}

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "aisle/commands/outcome.hpp"
+
+namespace aisle {
+
+struct ImportOptions {
+  std::string recording;          ///< what open_image_sequence() reads
+  std::filesystem::path out;      ///< directory of the new session
+  std::optional<double> rate_hz;  ///< > 0; none: the recording's own stamps
+  std::string vehicle;            ///< vehicle file or name of a shipped vehicle; empty: not known
+  std::string camera;             ///< name of the camera; empty: the vehicle's only one, or "front"
+  bool force = false;
+};
+
+/// `aisle import INPUT`: makes a session of the images that a camera recorded elsewhere.
+Result<Outcome> run_import(const ImportOptions& options, Console& console);
+
+}  // namespace aisle

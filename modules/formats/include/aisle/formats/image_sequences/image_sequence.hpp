@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "aisle/core/result.hpp"
+#include "aisle/geometry/pose2.hpp"
+#include "aisle/vehicle/front_steered.hpp"
+
+namespace aisle {
+
+/// What the driver's controls said, as recorded: numbers without units. A throttle is not a speed, and how
+/// far the wheels turn at a steering of 1 is not known.
+struct RecordedControls {
+  double steering = 0;
+  double throttle = 0;
+};
+
+/// An image as it was recorded, and what is known of its moment.
+struct TimedImage {
+  double stamp_s = 0;  ///< 0 to 2^31, at least a microsecond later than that of the image before
+  std::string bytes;   ///< of a JPEG or PNG file that can be decoded, of the sequence's size
+  std::optional<Pose2> T_odom_vehicle;  ///< by the wheels; in every image of a sequence with odometry
+  std::optional<RecordedControls> controls;
+};
+
+/// The images of one camera in the order of recording, from whatever they were recorded in.
+class ImageSequence {
+ public:
+  virtual ~ImageSequence() = default;
+
+  virtual int width_px() const = 0;
+  virtual int height_px() const = 0;
+  virtual bool has_odometry() const = 0;
+  /// Median time from one image to the next; 0: there is only one.
+  virtual double period_s() const = 0;
+  /// How many images the recording names; next() leaves out those that cannot be used.
+  virtual std::size_t size() const = 0;
+
+  /// @return nullopt after the last
+  virtual Result<std::optional<TimedImage>> next() = 0;
+
+  /// How many images and records were left out so far.
+  virtual std::size_t left_out() const = 0;
+  /// What was left out or guessed, each with its first place; complete after the last image.
+  virtual Problems warnings() const = 0;
+};
+
+/// What the user says of a recording.
+struct ImageSequenceOptions {
+  std::optional<double> rate_hz;              ///< > 0: images have this rate, whatever stamps they have
+  std::optional<FrontSteered> front_steered;  ///< tells what distances and steering angles mean
+};
+
+/// Opens a recording: a Donkeycar tub, a folder of images, a list of images. What it is shows in its content;
+/// docs/formats/image-sequences.md. A recording without a single usable image is a problem.
+Result<std::unique_ptr<ImageSequence>> open_image_sequence(const std::string& recording,
+                                                           const ImageSequenceOptions& options = {});
+
+}  // namespace aisle

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "aisle/core/result.hpp"
+#include "aisle/formats/image_sequences/image_sequence.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
+#include "aisle/formats/sessions/session_writer.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+/// The navigator of sessions that another program recorded: nobody decided in them.
+inline constexpr const char* kImportedNavigator = "imported";
+
+/// Writes the images of a recording as a session, byte for byte. The session is in its place only after
+/// finish(): until then it grows in a hidden folder beside it, which is removed if the work ends before, and
+/// which the next import to this place takes over if the process was killed.
+class ImportedSession {
+ public:
+  /// `directory` and `force` as in SessionWriter::create.
+  /// @param camera  a camera of the vehicle: what the images are of
+  /// @param origin  says whether the images have odometry and the vehicle's camera is the real one
+  static Result<ImportedSession> create(const std::filesystem::path& directory, bool force,
+                                        const VehicleDescription& vehicle, const std::string& camera,
+                                        const SessionOrigin& origin);
+
+  ImportedSession(ImportedSession&&) noexcept = default;
+  ImportedSession& operator=(ImportedSession&&) noexcept = delete;
+  ~ImportedSession();
+
+  /// Empty on success.
+  Problems take(const TimedImage& image);
+
+  /// Puts the session into its place. Empty on success.
+  Problems finish();
+
+  /// How far the path by the wheels' readings was from the recorded one at worst: a vehicle on wheels cannot
+  /// move sideways.
+  double sideways_m() const { return sideways_m_; }
+
+ private:
+  ImportedSession(std::filesystem::path directory, SessionWriter writer, VehicleDescription vehicle,
+                  std::string camera, SessionOrigin origin);
+
+  Problems write_head(ros::Stamp_ns stamp);
+  Problems write_odometry(ros::Stamp_ns stamp, const Pose2& T_odom_vehicle);
+
+  std::filesystem::path directory_;
+  std::unique_ptr<SessionWriter> writer_;  ///< null: moved away, or finished
+  VehicleDescription vehicle_;
+  std::string camera_;
+  SessionOrigin origin_;
+  std::optional<ros::Stamp_ns> last_stamp_;
+  Pose2 T_odom_start_;
+  Pose2 T_start_vehicle_;  ///< by the wheels' readings
+  double sideways_m_ = 0;
+};
+
+}  // namespace aisle

@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "aisle/formats/image_sequences/image_sequence.hpp"
+#include "image_sequences/donkey_tub.hpp"
+#include "image_sequences/image_folder.hpp"
+#include "image_sequences/natural_order.hpp"
+
+namespace aisle {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool has_ending(const fs::path& file, std::initializer_list<const char*> endings) {
+  const std::string name = file.filename().string();
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](const char* ending) { return name.ends_with(ending); });
+}
+
+bool is_bag_file(const fs::path& file) {
+  return has_ending(file, {".bag", ".db3", ".mcap"});
+}
+
+Problem bag_refused(const std::string& recording) {
+  return {{recording}, "is a ROS bag; images of bags are not read yet"};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ImageSequence>> open_image_sequence(const std::string& recording,
+                                                           const ImageSequenceOptions& options) {
+  const fs::path path(recording);
+  std::error_code error;
+  if (!fs::exists(path, error)) return Problem{{recording}, "no such file or folder"};
+  if (fs::is_directory(path, error)) {
+    if (is_tub(path)) return open_tub(path, options);
+    if (!files_in_natural_order(path, is_bag_file).empty()) return bag_refused(recording);
+    return open_image_folder(path, options);
+  }
+  if (has_ending(path, {".tar", ".tar.gz", ".tgz", ".zip", ".tar.bz2", ".tar.xz"}))
+    return Problem{{recording}, "is an archive: unpack it, and give the folder with manifest.json in it"};
+  if (is_bag_file(path)) return bag_refused(recording);
+  if (path.filename() == "manifest.json") return open_tub(path.parent_path(), options);
+  if (has_ending(path, {".csv", ".csv.gz"})) return open_image_csv(path, options);
+  return Problem{{recording},
+                 "is no recording that is read: the folder of a Donkeycar tub, a list of images (CSV), or a "
+                 "folder of images"};
+}
+
+}  // namespace aisle
