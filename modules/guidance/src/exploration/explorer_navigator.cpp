@@ -109,8 +109,8 @@ bool ExplorerNavigator::has_new_contact(const Observation& observation) {
 Decision ExplorerNavigator::back_off(const Observation& observation) {
   if (++contacts_ > kContactsMax || !learner_.has_looked())
     return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
-  is_contact_due_ = driven_direction_ != 0;
-  be_blocked(driven_direction_);
+  is_contact_due_ = driven_gear_.has_value();
+  be_blocked(driven_gear_);
   return {.command = {.steering_rad = steering_rad_of(observation.odometry)}, .state = "touched"};
 }
 
@@ -120,7 +120,7 @@ void ExplorerNavigator::note_contact() {
   is_contact_due_ = false;
   const double clearance_m = search_.footprint_clearance().standing_clearance_m(
       learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
-  if (clearance_m > kContactKnown_m) learner_.add_contact(driven_direction_);
+  if (clearance_m > kContactKnown_m) learner_.add_contact(*driven_gear_);
 }
 
 void ExplorerNavigator::keep_trail(FloorLearner::News news) {
@@ -193,7 +193,7 @@ void ExplorerNavigator::begin_search() {
   }
   if (is_path && !target_->frontier.is_pocket && !driver_.has_path())
     target_search_.search_from_ends_too(tries_);
-  if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.blocked_direction());
+  if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.blocked_gear());
   keep_off_what_blocks();
   if (tries_.failures > 0) search_.relax_clearance();
 }
@@ -251,8 +251,8 @@ void ExplorerNavigator::find_no_path() {
   search_.stop();
   arrived_cycle_ = cycle_;
   if (!is_wedged_) count_failure();
-  if (blocks_.blocked_direction() != 0) {
-    blocks_.unblock_direction();
+  if (blocks_.blocked_gear()) {
+    blocks_.unblock_gear();
     if (blocks_.times() > kBlocksMax) retreat();
     return;
   }
@@ -445,20 +445,20 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
       if (search_.state() != CarSearch::State::kSearching) arrive();
       break;
     case PathDriver::State::kBlocked:
-      be_blocked(step.direction);
+      be_blocked(step.gear);
       return {.command = step.command, .state = "blocked"};
     case PathDriver::State::kTurningWheels:
       break;
     case PathDriver::State::kDriving:
-      driven_direction_ = step.direction;
+      driven_gear_ = step.gear;
       break;
   }
   return {.command = step.command, .state = state};
 }
 
-void ExplorerNavigator::be_blocked(int direction) {
+void ExplorerNavigator::be_blocked(std::optional<Gear> gear) {
   count_failure();
-  blocks_.note(learner_.T_map_vehicle(), direction);
+  blocks_.note(learner_.T_map_vehicle(), gear);
   drop_path();
 }
 

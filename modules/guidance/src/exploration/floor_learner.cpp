@@ -74,8 +74,8 @@ FloorLearner::News FloorLearner::take(const Observation& observation) {
   return changed.empty() ? News::kNothing : News::kFloor;
 }
 
-void FloorLearner::add_contact(int direction) {
-  contacts_.push_back({log_.scans.size() - 1, T_scan_vehicle_, direction, T_map_vehicle_});
+void FloorLearner::add_contact(Gear gear) {
+  contacts_.push_back({log_.scans.size() - 1, T_scan_vehicle_, gear, T_map_vehicle_});
   clearance_.update(floor_, put(contacts_.back(), T_map_vehicle_, floor_));
 }
 
@@ -128,7 +128,7 @@ FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGr
 }
 
 FloorBox FloorLearner::put(const Contact& contact, const Pose2& T_map_vehicle, FloorGrid& floor) const {
-  return strike_floor(floor, vehicle_.footprint, T_map_vehicle, contact.direction);
+  return strike_floor(floor, vehicle_.footprint, T_map_vehicle, contact.gear);
 }
 
 /// The area taken as free at the start. Whoever places the vehicle leaves it some space on all sides, and

@@ -143,7 +143,7 @@ void CarSearch::begin(const Pose2& T_map_leave) {
   queue_.clear();
   expansions_ = 0;
   reached_m_ = 0;
-  forbidden_first_ = 0;
+  forbidden_first_.reset();
   relaxes_clearance_ = false;
   is_free_ = nullptr;
   ends_ = {};
@@ -189,8 +189,12 @@ bool CarSearch::is_leaving(const Pose2& T_map) const {
   return (T_map.position() - T_map_leave_.position()).norm() < kLeave_m;
 }
 
+bool CarSearch::is_forbidden_first(const Arc& arc) const {
+  return forbidden_first_ && arc.length_m * sign(*forbidden_first_) > 0;
+}
+
 bool CarSearch::is_found(const Node& node) const {
-  const bool begins_forbidden = from_the_end_ && node.arc.length_m * forbidden_first_ > 0;
+  const bool begins_forbidden = from_the_end_ && is_forbidden_first(node.arc);
   return !begins_forbidden && is_goal_(node.T_map);
 }
 
@@ -238,7 +242,7 @@ void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, 
 void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from,
                          const Move& move) {
   const Arc& arc = move.arc;
-  if (!from_the_end_ && is_begin(from) && arc.length_m * forbidden_first_ > 0) return;
+  if (!from_the_end_ && is_begin(from) && is_forbidden_first(arc)) return;
   const std::vector<Pose2>& T_from_passed = from_the_end_ ? move.T_to_driven : move.T_from_driven;
   const Pose2 T_map = nodes_[from].T_map * T_from_passed.front();
   const std::uint64_t bin = bin_of(T_map);

@@ -78,17 +78,17 @@ PathDriver::Step PathDriver::drive(const FloorGrid& floor, const FloorClearance&
   const Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
   if (const auto wheels_rad = wheels_to_turn_rad(point, command.steering_rad, steering_rad))
     return {State::kTurningWheels, {.steering_rad = *wheels_rad}};
-  const int direction = command.speed_mps > 0 ? 1 : -1;
+  const Gear gear = command.speed_mps > 0 ? Gear::kForward : Gear::kReverse;
   if (is_free(floor, clearance, T_map_vehicle, command, steering_rad))
-    return {State::kDriving, command, direction};
+    return {State::kDriving, command, gear};
   Command creeping = command;
   creeping.speed_mps = std::clamp(command.speed_mps, -kCreeping_mps, kCreeping_mps);
   if (is_free(floor, clearance, T_map_vehicle, creeping, steering_rad))
-    return {State::kDriving, creeping, direction};
+    return {State::kDriving, creeping, gear};
   const bool is_for_wheels = std::abs(command.steering_rad - steering_rad) > kWheelsTurned_rad &&
                              is_free(floor, clearance, T_map_vehicle, command, command.steering_rad);
-  if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, direction};
-  return {State::kBlocked, standing, direction};
+  if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, gear};
+  return {State::kBlocked, standing, gear};
 }
 
 bool PathDriver::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,

@@ -182,11 +182,12 @@ Decision FrameBacking::drive_to(double ahead_of_parked_m, const char* state) con
   constexpr double kBeyond_m = 1;
   const Pose2 off = FrameBacking::off();
   const double left_m = ahead_of_parked_m - off.x;
-  const double direction = left_m < 0 ? -1 : 1;
+  const Gear gear = gear_of(left_m);
   const double speed_mps = std::clamp(std::sqrt(2 * params_.speed.deceleration_mps2 * std::abs(left_m)),
                                       params_.speed.speed_min_mps, params_.speed.speed_mps);
   const double path_m = std::abs(left_m) + 2 * kBeyond_m;
-  const Path path({{T_odom_parked() * Pose2{off.x - direction * kBeyond_m, 0, 0}, {direction * path_m, 0}}});
+  const Path path(
+      {{T_odom_parked() * Pose2{off.x - sign(gear) * kBeyond_m, 0, 0}, {sign(gear) * path_m, 0}}});
   const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, path_m);
   return {.command = follower_.follow(path, point, T_odom_vehicle_, speed_mps, steering_rad_),
           .state = state,

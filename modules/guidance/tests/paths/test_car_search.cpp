@@ -67,7 +67,7 @@ TEST(CarSearch, BeginsInTheOtherDirectionIfOneIsForbidden) {
   CarSearch search({}, cart());
   search.look_for(
       {4, 2.5, 0}, [](const Pose2& T) { return T.x > 7; }, no_guide);
-  search.forbid_first(1);
+  search.forbid_first(Gear::kForward);
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
 }

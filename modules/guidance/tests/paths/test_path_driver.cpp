@@ -87,7 +87,7 @@ TEST_F(PathDriving, IsBlockedByPresentLaserReturns) {
   driver_.see(kGeometry, ranges_m);
   const PathDriver::Step step = cycle();
   EXPECT_EQ(step.state, PathDriver::State::kBlocked);
-  EXPECT_EQ(step.direction, 1);
+  EXPECT_EQ(step.gear, Gear::kForward);
   EXPECT_EQ(step.command.speed_mps, 0);
 }
 

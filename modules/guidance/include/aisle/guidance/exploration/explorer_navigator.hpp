@@ -84,7 +84,7 @@ class ExplorerNavigator final : public Navigator {
   bool is_stuck();
   std::string what_was_explored() const;
   Decision drive(const Observation& observation);
-  void be_blocked(int direction);
+  void be_blocked(std::optional<Gear> gear);
   std::string state_word() const;
   std::string why_it_stands() const;
   Decision end(NavigatorStatus status, std::string state, std::string why);
@@ -104,7 +104,7 @@ class ExplorerNavigator final : public Navigator {
   std::optional<ExploringTarget> target_;
   std::optional<ExploringTarget> former_;  ///< the last target, kept after its path was dropped
   BlockMemory blocks_;
-  int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the last cycle that drove
+  std::optional<Gear> driven_gear_;  ///< in the last cycle that drove
   bool is_in_contact_ = false;
   bool is_contact_due_ = false;  ///< a bumper contact is to be noted as soon as the vehicle stands
   int contacts_ = 0;

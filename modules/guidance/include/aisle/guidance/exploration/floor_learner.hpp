@@ -38,9 +38,9 @@ class FloorLearner {
 
   News take(const Observation& observation);
 
-  /// The bumper touched something that no scan shows, at the front (1) or at the rear (-1): the floor shows
-  /// it as occupied from now on. Only after the first scan.
-  void add_contact(int direction);
+  /// The bumper touched something that no scan shows, at the front or, in reverse, at the rear: the floor
+  /// shows it as occupied from now on. Only after the first scan.
+  void add_contact(Gear gear);
 
   /// The vehicle is back home: matches its first scan with the walls that it has seen last, and corrects
   /// `T_map_home`. Only after the first scan.
@@ -82,7 +82,7 @@ class FloorLearner {
   struct Contact {
     std::size_t scan_index = 0;  ///< last scan before it ...
     Pose2 T_scan_vehicle;        ///< ... and the vehicle's motion since
-    int direction = 0;
+    Gear gear = Gear::kForward;
     Pose2 T_map_put;  ///< vehicle pose with which it was added
   };
   /// The floor after a loop closure, or with narrower cells, while it is being built.

@@ -9,6 +9,7 @@
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/paths/braking_clearance.hpp"
 #include "aisle/vehicle/command.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -25,7 +26,7 @@ class PathDriver {
   struct Step {
     State state = State::kNoPath;
     Command command;
-    int direction = 0;  ///< in which it drives, or would: forwards 1, backwards -1
+    std::optional<Gear> gear = {};  ///< in which it drives, or would
   };
 
   PathDriver(const VehicleDescription& vehicle, const SteeringParams& steering, const SpeedParams& speed);

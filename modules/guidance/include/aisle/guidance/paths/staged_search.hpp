@@ -32,7 +32,7 @@ class StagedSearch {
 
   /// For the search that was begun; see CarSearch.
   void keep_to(const std::function<bool(const Pose2& T_map_vehicle)>& is_free);
-  void forbid_first(int direction);
+  void forbid_first(std::optional<Gear> gear);
   void relax_clearance();
   CarSearch::State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
   void stop();
