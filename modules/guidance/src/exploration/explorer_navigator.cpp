@@ -118,8 +118,8 @@ Decision ExplorerNavigator::back_off(const Observation& observation) {
 void ExplorerNavigator::note_contact() {
   if (!is_contact_due_ || !learner_.is_standing()) return;
   is_contact_due_ = false;
-  const double clearance_m = search_.footprint_clearance().standing_clearance_m(
-      learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  const double clearance_m =
+      search_.footprint_clearance().standing_clearance_m(learner_.floor(), learner_.T_map_vehicle());
   if (clearance_m > kContactKnown_m) learner_.add_contact(*driven_gear_);
 }
 
@@ -132,7 +132,7 @@ void ExplorerNavigator::keep_trail(FloorLearner::News news) {
 
 void ExplorerNavigator::mark_coverage() {
   if (!coverage_.empty() && learner_.path_m() - coverage_.back().path_m < kCoverageEvery_m) return;
-  coverage_.push_back({learner_.path_m(), learner_.floor().free_m2()});
+  coverage_.push_back({learner_.path_m(), learner_.floor().grid().free_m2()});
 }
 
 /// Spreads the work over cycles: floor is learned in one, the next looks around for frontiers, the one after
@@ -154,14 +154,14 @@ void ExplorerNavigator::think(FloorLearner::News news) {
 /// C99's step 9.
 void ExplorerNavigator::look_around() {
   const double middle_m = (vehicle_.footprint.front_m - vehicle_.footprint.rear_m) / 2;
-  explorer_.look_around(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle() * Vec2(middle_m, 0));
+  explorer_.look_around(learner_.floor(), learner_.T_map_vehicle() * Vec2(middle_m, 0));
   is_choice_due_ = true;
 }
 
 /// C99's step 10: the transducer says where to go.
 void ExplorerNavigator::choose() {
-  const ExploringTarget target = explorer_.decide(learner_.floor(), learner_.clearance(),
-                                                  learner_.T_map_vehicle(), learner_.T_map_home(), cycle_);
+  const ExploringTarget target =
+      explorer_.decide(learner_.floor(), learner_.T_map_vehicle(), learner_.T_map_home(), cycle_);
   if (target.kind == ExploringTarget::Kind::kHome && explorer_.has_left_floor() && learner_.halve_cells()) {
     explorer_.halve_cells();
     return drop_path();
@@ -181,7 +181,7 @@ void ExplorerNavigator::choose() {
 void ExplorerNavigator::begin_search() {
   is_search_due_ = stands_first_ = false;
   p_map_searched_ = target_->frontier.p_map;
-  searched_m2_ = learner_.floor().free_m2();
+  searched_m2_ = learner_.floor().grid().free_m2();
   if (driver_.has_path()) shorten_path(params_.join_m);
   const Path& path = driver_.path();
   const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.end();
@@ -233,7 +233,7 @@ void ExplorerNavigator::search_path() {
     begin_search();
   }
   if (search_.state() != CarSearch::State::kSearching) return;
-  const auto state = search_.advance(learner_.floor(), learner_.clearance(), params_.expansions);
+  const auto state = search_.advance(learner_.floor(), params_.expansions);
   const bool is_not_worth_more = target_->frontier.is_pocket && search_.expansions() > kPocketExpansions;
   if (state == CarSearch::State::kFound) return take_path();
   if (state == CarSearch::State::kNone || is_not_worth_more) find_no_path();
@@ -241,7 +241,7 @@ void ExplorerNavigator::search_path() {
 
 /// Whether the last path showed new floor.
 bool ExplorerNavigator::was_worth_it() const {
-  return learner_.floor().free_m2() > searched_m2_ + kShown_m2;
+  return learner_.floor().grid().free_m2() > searched_m2_ + kShown_m2;
 }
 
 /// Either no path leads to the target, or none leads away from where the vehicle stands; that does not count
@@ -282,8 +282,7 @@ bool ExplorerNavigator::is_target_shut_off() const {
 bool ExplorerNavigator::retreat() {
   if (driver_.has_path()) return false;
   const Path back = trail_.path_back(learner_.T_map_vehicle(), kRetreat_m, [this](const Pose2& T_map) {
-    return search_.footprint_clearance().clearance_m(learner_.floor(), learner_.clearance(), T_map) >
-           kRoomy_m;
+    return search_.footprint_clearance().clearance_m(learner_.floor(), T_map) > kRoomy_m;
   });
   if (back.empty()) return false;
   driver_.take_trail(back);
@@ -316,9 +315,9 @@ void ExplorerNavigator::give_path_up() {
 /// New floor, or another target, renews the retry budget.
 void ExplorerNavigator::note_learning(const ExploringTarget& target) {
   const bool goes_on = former_ && is_same(*former_, target);
-  const bool learned = learner_.floor().free_m2() > learned_m2_ + kLearned_m2;
+  const bool learned = learner_.floor().grid().free_m2() > learned_m2_ + kLearned_m2;
   if (learned) {
-    learned_m2_ = learner_.floor().free_m2();
+    learned_m2_ = learner_.floor().grid().free_m2();
     learned_path_m_ = learner_.path_m();
   }
   if (!learned && goes_on) return;
@@ -418,7 +417,7 @@ void ExplorerNavigator::drop_path() {
 /// The path may lead through obstacles that were learned since it was planned.
 void ExplorerNavigator::check_path() {
   if (!driver_.has_path()) return;
-  const double free_m = driver_.free_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  const double free_m = driver_.free_m(learner_.floor(), learner_.T_map_vehicle());
   if (free_m >= driver_.left_m() - 1e-6) return;
   if (free_m < kStopClearance_m) {
     count_failure();
@@ -436,8 +435,8 @@ bool ExplorerNavigator::is_stuck() {
 Decision ExplorerNavigator::drive(const Observation& observation) {
   const std::string state = state_word();
   const PathDriver::Step step =
-      driver_.drive(learner_.floor(), learner_.clearance(), search_.footprint_clearance(),
-                    learner_.T_map_vehicle(), steering_rad_of(observation.odometry));
+      driver_.drive(learner_.floor(), search_.footprint_clearance(), learner_.T_map_vehicle(),
+                    steering_rad_of(observation.odometry));
   switch (step.state) {
     case PathDriver::State::kNoPath:
       return {.command = step.command, .state = state, .why = why_it_stands()};

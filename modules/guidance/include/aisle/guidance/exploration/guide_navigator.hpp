@@ -14,6 +14,7 @@
 #include "aisle/learning/walls/wall_localiser.hpp"
 #include "aisle/maps/building.hpp"
 #include "aisle/maps/floor_view.hpp"
+#include "aisle/maps/known_floor.hpp"
 
 namespace aisle {
 
@@ -60,7 +61,7 @@ class GuideNavigator final : public Navigator {
   /// The path that it follows; empty while it stands.
   const Path& path() const { return driver_.path(); }
   /// The floor as it is known now.
-  const FloorGrid& floor() const { return floor_; }
+  const KnownFloor& floor() const { return floor_; }
 
  private:
   void locate(const Observation& observation);
@@ -78,8 +79,7 @@ class GuideNavigator final : public Navigator {
   std::unique_ptr<ScanSource> sensor_;
   WallLocaliser localiser_;
   bool has_barriers_;
-  FloorGrid floor_;
-  FloorClearance clearance_;
+  KnownFloor floor_;
   StagedSearch search_;
   PathDriver driver_;
   std::vector<Vec2> p_map_places_;

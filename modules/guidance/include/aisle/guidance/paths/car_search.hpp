@@ -69,7 +69,7 @@ class CarSearch {
   void relax_clearance() { relaxes_clearance_ = true; }
 
   /// Goes on for up to `expansions` poses; fewer where one takes longer.
-  State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
+  State advance(const KnownFloor& floor, int expansions);
 
   /// Ends the search without a path.
   void stop() { state_ = State::kIdle; }
@@ -116,15 +116,14 @@ class CarSearch {
   void begin_at(const Pose2& T_map);
   bool is_begin(std::size_t node) const { return nodes_[node].parent == node; }
   bool has_ends_left() const { return ends_.contains(next_end_); }
-  int gather_ends(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
-  int gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map);
+  int gather_ends(const KnownFloor& floor, int expansions);
+  int gather_ends_at(const KnownFloor& floor, const Vec2& p_map);
   bool is_leaving(const Pose2& T_map) const;
   bool is_forbidden_first(const Arc& arc) const;
   bool is_found(const Node& node) const;
-  void expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node);
-  void try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from, const Move& move);
-  std::optional<double> least_clearance_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                          const Pose2& T_map_from,
+  void expand(const KnownFloor& floor, std::size_t node);
+  void try_move(const KnownFloor& floor, std::size_t from, const Move& move);
+  std::optional<double> least_clearance_m(const KnownFloor& floor, const Pose2& T_map_from,
                                           std::span<const Pose2> T_from_passed) const;
   double cost_of(const Arc& arc, const Arc& before, bool is_first, double clearance_m) const;
   std::uint64_t bin_of(const Pose2& T_map) const;
