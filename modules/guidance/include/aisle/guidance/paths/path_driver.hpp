@@ -26,7 +26,7 @@ class PathDriver {
   struct Step {
     State state = State::kNoPath;
     Command command;
-    std::optional<Gear> gear = {};  ///< in which it drives, or would
+    std::optional<Gear> gear = {};  ///< in which it drives, or would; known when driving or blocked
   };
 
   PathDriver(const VehicleDescription& vehicle, const SteeringParams& steering, const SpeedParams& speed);
