@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
 /// A part of the drive without a direction change: all forwards or all backwards.
 struct DrivenLeg {
-  double direction = 1;        ///< -1: backwards
+  Gear gear = Gear::kForward;
   std::vector<Pose2> samples;  ///< base_link, `step_m` apart; at least two
   double turn_before_rad = 0;  ///< on the spot, between the leg before and this one
 };

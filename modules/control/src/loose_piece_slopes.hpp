@@ -17,7 +17,7 @@ inline Eigen::Matrix<double, 3, kPieceUnknowns> place_slopes(const LoosePiece& p
   slopes.col(2) << left_normal(lever), 1;
   slopes.rightCols<2>() = share * by_part;
   slopes.topRightCorner<2, 2>() = rotation(piece.T_map_start.theta) * slopes.topRightCorner<2, 2>().eval();
-  slopes.col(3) *= piece.kind == LoosePiece::Kind::kTurnOnTheSpot ? 0 : piece.direction;
+  slopes.col(3) *= piece.kind == LoosePiece::Kind::kTurnOnTheSpot ? 0 : sign(piece.gear);
   slopes.col(4) *= piece.kind == LoosePiece::Kind::kLine ? 0 : 1;
   return slopes;
 }

@@ -180,15 +180,15 @@ void reassign(LoosePath& loose) {
 
 /// Leaves out the pieces that shrank to nothing; their driven points go to a piece of their leg beside them.
 void drop_vanished(LoosePath& loose) {
-  const auto is_of_leg = [&](std::size_t k, double direction) {
+  const auto is_of_leg = [&](std::size_t k, Gear gear) {
     return k < loose.pieces.size() && loose.pieces[k].kind != Kind::kTurnOnTheSpot &&
-           loose.pieces[k].direction == direction;
+           loose.pieces[k].gear == gear;
   };
   for (std::size_t k = loose.pieces.size(); k-- > 0;) {
     const LoosePiece piece = loose.pieces[k];
     if (piece.kind == Kind::kTurnOnTheSpot || piece.length_m > kShortest_m) continue;
-    const bool has_before = is_of_leg(k - 1, piece.direction);
-    if (!has_before && !is_of_leg(k + 1, piece.direction)) continue;
+    const bool has_before = is_of_leg(k - 1, piece.gear);
+    if (!has_before && !is_of_leg(k + 1, piece.gear)) continue;
     loose.pieces.erase(loose.pieces.begin() + static_cast<std::ptrdiff_t>(k));
     for (DrivenPoint& driven_point : loose.driven_points) {
       if (driven_point.piece > k || (driven_point.piece == k && has_before)) --driven_point.piece;
@@ -233,7 +233,7 @@ void descend(LoosePath& loose, double radius_min_m, double joint_weight) {
 }  // namespace
 
 Arc LoosePiece::arc() const {
-  return {kind == Kind::kTurnOnTheSpot ? 0 : direction * length_m, turn_rad};
+  return {kind == Kind::kTurnOnTheSpot ? 0 : sign(gear) * length_m, turn_rad};
 }
 
 Pose2 LoosePiece::end() const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "aisle/control/path.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -12,7 +13,7 @@ namespace aisle {
 struct LoosePiece {
   enum class Kind { kLine, kArc, kTurnOnTheSpot };
   Kind kind = Kind::kArc;
-  double direction = 1;  ///< -1: driven backwards
+  Gear gear = Gear::kForward;
   Pose2 T_map_start;
   double length_m = 0;  ///< > 0, but 0 of a turn on the spot
   double turn_rad = 0;  ///< left positive; 0 of a line

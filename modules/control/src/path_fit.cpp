@@ -45,7 +45,7 @@ std::vector<double> stray_shares(const DrivenLeg& leg, double step_m) {
   const auto beside = static_cast<std::size_t>(std::lround(kBesideBend_m / step_m));
   const auto back_from = [](std::size_t i, std::size_t steps) { return i - std::min(i, steps); };
   const auto on_from = [&](std::size_t i, std::size_t steps) { return std::min(i + steps, count - 1); };
-  if (leg.direction < 0) return std::vector<double>(count, kMeantStrayShare);
+  if (leg.gear == Gear::kReverse) return std::vector<double>(count, kMeantStrayShare);
   std::vector<double> shares(count, 1);
   for (std::size_t i = 0; i < count; ++i) {
     const double turn_rad = leg.samples[on_from(i, half)].theta - leg.samples[back_from(i, half)].theta;
@@ -70,7 +70,7 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<PathSegme
   for (const PathSegment& path_segment : path_segments) {
     const double length_m = driven_length_m(leg, path_segment);
     loose.pieces.push_back({.kind = path_segment.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
-                            .direction = leg.direction,
+                            .gear = leg.gear,
                             .T_map_start = leg.samples[path_segment.first],
                             .length_m = length_m,
                             .turn_rad = path_segment.curvature_per_m * length_m,
@@ -147,7 +147,7 @@ void split(LoosePath& loose, std::size_t k) {
   for (DrivenPoint& driven_point : loose.driven_points) {
     const bool in_second = driven_point.piece == k && !driven_point.begins_leg &&
                            (driven_point.ends_leg ||
-                            (second.T_map_start.inverse() * driven_point.p_map).x() * first.direction > 0);
+                            (second.T_map_start.inverse() * driven_point.p_map).x() * sign(first.gear) > 0);
     if (driven_point.piece > k || in_second) ++driven_point.piece;
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 namespace {
@@ -23,9 +24,10 @@ double curvature_ahead_per_m(const Path& path, const PathPoint& point, double ah
 double reversing_steering_rad(const VehicleDescription& vehicle, const Path& path, const PathPoint& point,
                               const Pose2& T_map_vehicle, double ahead_m, double steering_rad) {
   const Pose2 off = between(point.T_map_path, T_map_vehicle);
-  const double direction = path.pieces()[point.piece].arc.length_m < 0 ? -1 : 1;
+  const Gear gear = gear_of(path.pieces()[point.piece].arc.length_m);
   const double bend_per_m = curvature_ahead_per_m(path, point, ahead_m) -
-                            direction * 2 * std::sin(off.theta) / kSettle_m - off.y / (kSettle_m * kSettle_m);
+                            sign(gear) * 2 * std::sin(off.theta) / kSettle_m -
+                            off.y / (kSettle_m * kSettle_m);
   const double wanted_rad = std::atan(bend_per_m * vehicle.front_steered.wheelbase_m);
   const double change_rad = vehicle.limits.steering_rate_max_rad_s * vehicle.cycle_s;
   const double max_rad = vehicle.limits.steering_max_rad;

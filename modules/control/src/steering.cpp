@@ -18,7 +18,8 @@ double reach_m(const FrontSteered& vehicle, double look_ahead_m) {
 
 double cost(const WheelPaths& paths, const FrontSteered& vehicle, const Pose2& T_map_vehicle,
             double look_ahead_m, double steering_rad) {
-  return paths.distance_sum(T_map_vehicle * drive(vehicle, {paths.direction() * look_ahead_m, steering_rad}));
+  return paths.distance_sum(T_map_vehicle *
+                            drive(vehicle, {sign(paths.gear()) * look_ahead_m, steering_rad}));
 }
 
 /// How much L_P can change at most for each radian of steering. The front reference point after the distance

@@ -28,7 +28,7 @@ double distance(const std::vector<PathPiece>& pieces, const Vec2& p_map) {
 }  // namespace
 
 WheelPaths::WheelPaths(const FrontSteered& vehicle, const Path& path, const PathPoint& from, double reach_m)
-    : vehicle_(vehicle), direction_(path.pieces()[from.piece].arc.length_m < 0 ? -1 : 1) {
+    : vehicle_(vehicle), gear_(gear_of(path.pieces()[from.piece].arc.length_m)) {
   const auto& pieces = path.pieces();
   const std::size_t end = path.leg_end(from.piece);
   std::size_t first = from.piece;
@@ -38,11 +38,11 @@ WheelPaths::WheelPaths(const FrontSteered& vehicle, const Path& path, const Path
 
   const bool begins = from.along_m - path.start_m(first) < reach_m;
   if (begins) {
-    add({pieces[first].T_map_start * Pose2{-direction_ * reach_m, 0, 0}, {direction_ * reach_m, 0}});
+    add({pieces[first].T_map_start * Pose2{-sign(gear_) * reach_m, 0, 0}, {sign(gear_) * reach_m, 0}});
   }
   for (std::size_t i = first; i <= last; ++i) add(pieces[i]);
   const bool ends = path.start_m(last) + pieces[last].path_m() - from.along_m < reach_m;
-  if (ends) add({pieces[last].end(), {direction_ * reach_m, 0}});
+  if (ends) add({pieces[last].end(), {sign(gear_) * reach_m, 0}});
 }
 
 void WheelPaths::add(const PathPiece& rear) {

@@ -6,6 +6,7 @@
 
 #include "aisle/control/path.hpp"
 #include "aisle/vehicle/front_steered.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -16,8 +17,8 @@ class WheelPaths {
   /// @param reach_m  how much of the path before and after `from` is considered
   WheelPaths(const FrontSteered& vehicle, const Path& path, const PathPoint& from, double reach_m);
 
-  /// -1 where the leg is driven backwards, else 1
-  double direction() const { return direction_; }
+  /// In which the leg is driven.
+  Gear gear() const { return gear_; }
 
   /// D_front + D_back of C98 eq. (15), with the vehicle's base_link at `T_map_vehicle`.
   double distance_sum(const Pose2& T_map_vehicle) const;
@@ -26,7 +27,7 @@ class WheelPaths {
   void add(const PathPiece& rear);
 
   FrontSteered vehicle_;
-  double direction_;
+  Gear gear_;
   std::vector<PathPiece> rear_, front_;
 };
 

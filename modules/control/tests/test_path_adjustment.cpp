@@ -17,21 +17,20 @@ namespace {
 
 using Kind = LoosePiece::Kind;
 
-LoosePiece loose_piece(Kind kind, double direction, double length_m, double turn_rad) {
-  return {
-      .kind = kind, .direction = direction, .length_m = length_m, .turn_rad = turn_rad, .driven_m = length_m};
+LoosePiece loose_piece(Kind kind, Gear gear, double length_m, double turn_rad) {
+  return {.kind = kind, .gear = gear, .length_m = length_m, .turn_rad = turn_rad, .driven_m = length_m};
 }
 
-LoosePiece loose_line(double length_m, double direction = 1) {
-  return loose_piece(Kind::kLine, direction, length_m, 0);
+LoosePiece loose_line(double length_m, Gear gear = Gear::kForward) {
+  return loose_piece(Kind::kLine, gear, length_m, 0);
 }
 
-LoosePiece loose_bend(double radius_m, double turn_rad, double direction = 1) {
-  return loose_piece(Kind::kArc, direction, radius_m * std::abs(turn_rad), turn_rad);
+LoosePiece loose_bend(double radius_m, double turn_rad, Gear gear = Gear::kForward) {
+  return loose_piece(Kind::kArc, gear, radius_m * std::abs(turn_rad), turn_rad);
 }
 
 LoosePiece loose_turn(double turn_rad) {
-  return loose_piece(Kind::kTurnOnTheSpot, 1, 0, turn_rad);
+  return loose_piece(Kind::kTurnOnTheSpot, Gear::kForward, 0, turn_rad);
 }
 
 /// Pieces that join, and driven points every 5 cm exactly on them.
@@ -46,7 +45,7 @@ LoosePath exact_path(std::vector<LoosePiece> pieces, const Pose2& T_map_start = 
     const auto begins_leg = [&](std::size_t at) {
       return at == 0 || loose.pieces[at].kind == Kind::kTurnOnTheSpot ||
              loose.pieces[at - 1].kind == Kind::kTurnOnTheSpot ||
-             loose.pieces[at].direction != loose.pieces[at - 1].direction;
+             loose.pieces[at].gear != loose.pieces[at - 1].gear;
     };
     const PathPiece shape{piece.T_map_start, piece.arc()};
     const int steps = static_cast<int>(std::ceil(piece.length_m / kStep_m));
@@ -65,9 +64,10 @@ LoosePath exact_path(std::vector<LoosePiece> pieces, const Pose2& T_map_start = 
 
 /// Forwards, around bends, backwards, and after a turn on the spot forwards again.
 LoosePath varied_path(const Pose2& T_map_start = {}) {
-  return exact_path({loose_line(3), loose_bend(0.8, kPi / 2), loose_line(2), loose_bend(1.2, -kPi / 3, -1),
-                     loose_line(1.5, -1), loose_turn(kPi / 2), loose_line(2.5)},
-                    T_map_start);
+  return exact_path(
+      {loose_line(3), loose_bend(0.8, kPi / 2), loose_line(2), loose_bend(1.2, -kPi / 3, Gear::kReverse),
+       loose_line(1.5, Gear::kReverse), loose_turn(kPi / 2), loose_line(2.5)},
+      T_map_start);
 }
 
 /// The pieces start elsewhere, and are longer and more bent than they were driven.
@@ -101,11 +101,12 @@ double apart_m(const LoosePath& a, const LoosePath& b) {
 RC_GTEST_PROP(PathAdjustment, SlopesOfAPlaceAreItsNumericalDerivatives, (std::uint64_t seed)) {
   constexpr double kNudge = 1e-6;
   Random random(seed);
-  const double direction = random.uniform() < 0.5 ? 1 : -1, turn_rad = random.uniform(-3, 3);
+  const Gear gear = random.uniform() < 0.5 ? Gear::kForward : Gear::kReverse;
+  const double turn_rad = random.uniform(-3, 3);
   const double share = random.uniform();
-  for (LoosePiece piece : {loose_line(random.uniform(0.1, 5), direction),
-                           loose_piece(Kind::kArc, direction, random.uniform(0.1, 5), turn_rad),
-                           loose_piece(Kind::kArc, direction, 1, 0), loose_turn(turn_rad)}) {
+  for (LoosePiece piece : {loose_line(random.uniform(0.1, 5), gear),
+                           loose_piece(Kind::kArc, gear, random.uniform(0.1, 5), turn_rad),
+                           loose_piece(Kind::kArc, gear, 1, 0), loose_turn(turn_rad)}) {
     piece.T_map_start = {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-4, 4)};
     const auto place = [&](int unknown, double by) {
       LoosePiece moved = piece;

@@ -66,27 +66,25 @@ void ExplorerParams::describe(FieldList& fields) {
 BuildingExplorer::BuildingExplorer(const ExplorerParams& params, ExploringOrder order)
     : params_(params), order_(order), run_(corridor_rules()) {}
 
-void BuildingExplorer::look_around(const FloorGrid& floor, const FloorClearance& clearance,
-                                   const Vec2& p_map_middle) {
-  from_vehicle_.measure(floor, clearance, p_map_middle, params_.frontiers.clearance_m, kLeeway_m);
-  frontiers_ = find_frontiers(floor, clearance, from_vehicle_, params_.frontiers, marks_);
+void BuildingExplorer::look_around(const KnownFloor& floor, const Vec2& p_map_middle) {
+  from_vehicle_.measure(floor, p_map_middle, params_.frontiers.clearance_m, kLeeway_m);
+  frontiers_ = find_frontiers(floor, from_vehicle_, params_.frontiers, marks_);
 }
 
-ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClearance& clearance,
-                                         const Pose2& T_map_vehicle, const Pose2& T_map_home,
-                                         std::size_t cycle) {
+ExploringTarget BuildingExplorer::decide(const KnownFloor& floor, const Pose2& T_map_vehicle,
+                                         const Pose2& T_map_home, std::size_t cycle) {
   cycle_ = cycle;
   p_map_vehicle_ = T_map_vehicle.position();
-  free_m2_ = floor.free_m2();
+  free_m2_ = floor.grid().free_m2();
   if (params_.pockets.path_max_m > 0) {
     std::vector<Frontier> pockets =
-        find_pockets(floor, clearance, from_vehicle_, frontiers_, params_.frontiers, params_.pockets, marks_);
+        find_pockets(floor, from_vehicle_, frontiers_, params_.frontiers, params_.pockets, marks_);
     std::move(pockets.begin(), pockets.end(), std::back_inserter(frontiers_));
   }
-  match_frontiers(floor, T_map_vehicle);
+  match_frontiers(floor.grid(), T_map_vehicle);
   if (auto target = go_on(T_map_vehicle)) return *target;
   if (order_ == ExploringOrder::kRecommended)
-    from_home_.measure(floor, clearance, T_map_home.position(), params_.frontiers.clearance_m, kLeeway_m);
+    from_home_.measure(floor, T_map_home.position(), params_.frontiers.clearance_m, kLeeway_m);
   return take_from_stack(T_map_vehicle);
 }
 

@@ -20,16 +20,18 @@ constexpr bool is_diagonal(unsigned step) {
 
 }  // namespace
 
-void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m,
-                             double clearance_m, double leeway_m) {
+void FloorDistances::measure(const KnownFloor& floor, const Vec2& from_m, double clearance_m,
+                             double leeway_m) {
+  const FloorGrid& grid = floor.grid();
+  const FloorClearance& clearance = floor.clearance();
   box_ = clearance.room();
-  cell_m_ = static_cast<float>(floor.cell_m());
+  cell_m_ = static_cast<float>(grid.cell_m());
   const auto has_clearance = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= clearance_m; };
   tenths_.resize(clearance.size());
   for (std::size_t at = 0; at < tenths_.size(); ++at) tenths_[at] = has_clearance(at) ? kFar : kShut;
-  const FloorCell start = floor.cell_at(from_m);
+  const FloorCell start = grid.cell_at(from_m);
   if (!box_.widened(-1).contains(start)) return;
-  const auto leeway = static_cast<std::int32_t>(10 * leeway_m / floor.cell_m());
+  const auto leeway = static_cast<std::int32_t>(10 * leeway_m / grid.cell_m());
   FloorBox about;
   about.include(start);
   about = about.widened((leeway + 2 * kDiagonal) / 10);

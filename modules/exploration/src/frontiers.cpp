@@ -15,10 +15,14 @@ constexpr double kBesideCells = 1.5;     // the distances of two adjacent cells 
 
 class FrontierFinder {
  public:
-  FrontierFinder(const FloorGrid& floor, const FloorClearance& clearance, const FloorDistances& reached,
-                 const FrontierParams& params, CellMarks& marks)
-      : floor_(floor), clearance_(clearance), reached_(reached), params_(params), marks_(marks) {
-    marks_.assign(clearance.size(), kNothing);
+  FrontierFinder(const KnownFloor& floor, const FloorDistances& reached, const FrontierParams& params,
+                 CellMarks& marks)
+      : floor_(floor.grid()),
+        clearance_(floor.clearance()),
+        reached_(reached),
+        params_(params),
+        marks_(marks) {
+    marks_.assign(clearance_.size(), kNothing);
   }
 
   std::vector<Frontier> find() {
@@ -165,10 +169,9 @@ Frontier with_cells_halved(Frontier frontier) {
   return frontier;
 }
 
-std::vector<Frontier> find_frontiers(const FloorGrid& floor, const FloorClearance& clearance,
-                                     const FloorDistances& reached, const FrontierParams& params,
-                                     CellMarks& marks) {
-  return FrontierFinder(floor, clearance, reached, params, marks).find();
+std::vector<Frontier> find_frontiers(const KnownFloor& floor, const FloorDistances& reached,
+                                     const FrontierParams& params, CellMarks& marks) {
+  return FrontierFinder(floor, reached, params, marks).find();
 }
 
 }  // namespace aisle

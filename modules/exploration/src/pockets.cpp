@@ -32,15 +32,15 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
 
 class PocketFinder {
  public:
-  PocketFinder(const FloorGrid& floor, const FloorClearance& clearance, const FloorDistances& reached,
-               const FrontierParams& frontier_params, const PocketParams& params, CellMarks& marks)
-      : floor_(floor),
-        clearance_(clearance),
+  PocketFinder(const KnownFloor& floor, const FloorDistances& reached, const FrontierParams& frontier_params,
+               const PocketParams& params, CellMarks& marks)
+      : floor_(floor.grid()),
+        clearance_(floor.clearance()),
         reached_(reached),
         frontier_params_(frontier_params),
         params_(params),
         marks_(marks) {
-    marks_.assign(clearance.size(), kNothing);
+    marks_.assign(clearance_.size(), kNothing);
   }
 
   std::vector<Frontier> find(std::span<const Frontier> frontiers) {
@@ -188,11 +188,10 @@ void PocketParams::describe(FieldList& fields) {
               "more known");
 }
 
-std::vector<Frontier> find_pockets(const FloorGrid& floor, const FloorClearance& clearance,
-                                   const FloorDistances& reached, std::span<const Frontier> frontiers,
-                                   const FrontierParams& frontier_params, const PocketParams& params,
-                                   CellMarks& marks) {
-  return PocketFinder(floor, clearance, reached, frontier_params, params, marks).find(frontiers);
+std::vector<Frontier> find_pockets(const KnownFloor& floor, const FloorDistances& reached,
+                                   std::span<const Frontier> frontiers, const FrontierParams& frontier_params,
+                                   const PocketParams& params, CellMarks& marks) {
+  return PocketFinder(floor, reached, frontier_params, params, marks).find(frontiers);
 }
 
 }  // namespace aisle

@@ -27,22 +27,18 @@ class DrawnFloor {
   }
 
   std::vector<Frontier> frontiers() {
-    const FloorClearance clearance = clearance_now();
-    return find_frontiers(floor, clearance, reached_now(clearance), params, marks);
+    const KnownFloor known = known_now();
+    return find_frontiers(known, reached_on(known), params, marks);
   }
 
   std::vector<Frontier> pockets() {
-    const FloorClearance clearance = clearance_now();
-    const FloorDistances reached = reached_now(clearance);
-    return find_pockets(floor, clearance, reached, find_frontiers(floor, clearance, reached, params, marks),
-                        params, pocket_params, marks);
+    const KnownFloor known = known_now();
+    const FloorDistances reached = reached_on(known);
+    return find_pockets(known, reached, find_frontiers(known, reached, params, marks), params, pocket_params,
+                        marks);
   }
 
-  FloorClearance clearance_now() const {
-    FloorClearance clearance;
-    clearance.update(floor, floor.known());
-    return clearance;
-  }
+  KnownFloor known_now() const { return KnownFloor(floor); }
 
   FloorGrid floor;
   CellMarks marks;
@@ -50,9 +46,9 @@ class DrawnFloor {
   PocketParams pocket_params;
 
  private:
-  FloorDistances reached_now(const FloorClearance& clearance) const {
+  FloorDistances reached_on(const KnownFloor& known) const {
     FloorDistances reached;
-    reached.measure(floor, clearance, {1, 1}, params.clearance_m, 1);
+    reached.measure(known, {1, 1}, params.clearance_m, 1);
     return reached;
   }
 };

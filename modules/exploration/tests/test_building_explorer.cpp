@@ -16,9 +16,9 @@ ExplorerParams minding_pockets() {
 ExploringTarget look_and_decide(BuildingExplorer& explorer, const DrawnFloor& drawn,
                                 const Pose2& T_map_vehicle, const Vec2& p_map_middle, const Pose2& T_map_home,
                                 std::size_t cycle = 1) {
-  const FloorClearance clearance = drawn.clearance_now();
-  explorer.look_around(drawn.floor, clearance, p_map_middle);
-  return explorer.decide(drawn.floor, clearance, T_map_vehicle, T_map_home, cycle);
+  const KnownFloor known = drawn.known_now();
+  explorer.look_around(known, p_map_middle);
+  return explorer.decide(known, T_map_vehicle, T_map_home, cycle);
 }
 
 /// Where a vehicle goes from the left end of a corridor that is all known except for a recess.

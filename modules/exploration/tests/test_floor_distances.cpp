@@ -40,35 +40,34 @@ std::map<std::pair<int, int>, int> tenths_by_trying(const FloorClearance& cleara
 
 RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllPathsGives, (std::uint64_t seed)) {
   Random random(seed);
-  FloorGrid floor;
+  FloorGrid grid;
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x)
-      floor.set({x, y}, random.uniform() < 0.06 ? Floor::kOccupied : Floor::kFree);
+      grid.set({x, y}, random.uniform() < 0.06 ? Floor::kOccupied : Floor::kFree);
   }
-  FloorClearance clearance;
-  clearance.update(floor, floor.known());
+  const KnownFloor floor(grid);
   const FloorCell start{static_cast<int>(random.index(kSide)), static_cast<int>(random.index(kSide))};
   FloorDistances distances;
-  distances.measure(floor, clearance, {1, 1}, kClearance_m, 0);
-  distances.measure(floor, clearance, floor.centre(start), kClearance_m, kLeeway_m);
-  const auto expected = tenths_by_trying(clearance, start, static_cast<int>(10 * kLeeway_m / floor.cell_m()));
+  distances.measure(floor, {1, 1}, kClearance_m, 0);
+  distances.measure(floor, grid.centre(start), kClearance_m, kLeeway_m);
+  const auto expected =
+      tenths_by_trying(floor.clearance(), start, static_cast<int>(10 * kLeeway_m / grid.cell_m()));
   for (int y = -3; y < kSide + 3; ++y) {
     for (int x = -3; x < kSide + 3; ++x) {
       const auto path = expected.find({x, y});
       const float path_m = distances.to({x, y});
       RC_ASSERT(std::isfinite(path_m) == (path != expected.end()));
-      if (path != expected.end()) RC_ASSERT(std::abs(path_m - 0.1 * path->second * floor.cell_m()) < 1e-5);
+      if (path != expected.end()) RC_ASSERT(std::abs(path_m - 0.1 * path->second * grid.cell_m()) < 1e-5);
     }
   }
 }
 
 TEST(FloorDistances, NothingIsReachedFromOutsideTheFloor) {
-  FloorGrid floor;
-  floor.set({0, 0}, Floor::kFree);
-  FloorClearance clearance;
-  clearance.update(floor, floor.known());
+  FloorGrid grid;
+  grid.set({0, 0}, Floor::kFree);
+  const KnownFloor floor(grid);
   FloorDistances distances;
-  distances.measure(floor, clearance, {1000, 1000}, kClearance_m, 1);
+  distances.measure(floor, {1000, 1000}, kClearance_m, 1);
   EXPECT_EQ(distances.to({0, 0}), FloorDistances::kUnreached);
 }
 

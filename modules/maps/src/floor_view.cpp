@@ -219,10 +219,9 @@ FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose
   return changed;
 }
 
-FloorBox strike_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle,
-                      int direction) {
+FloorBox strike_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle, Gear gear) {
   const double half_m = footprint.width_m / 2;
-  const double end_m = direction < 0 ? footprint.rear_m : footprint.front_m;
+  const double end_m = gear == Gear::kReverse ? footprint.rear_m : footprint.front_m;
   const double from_m = kHitFrom * floor.cell_m(), to_m = kHitTo * floor.cell_m();
   const FloorBox around =
       box_around(floor, T_map_vehicle.position(), std::hypot(end_m + to_m, half_m) + floor.cell_m());
@@ -231,7 +230,7 @@ FloorBox strike_floor(FloorGrid& floor, const Footprint& footprint, const Pose2&
   for (int y = around.low.y; y < around.end.y; ++y) {
     for (int x = around.low.x; x < around.end.x; ++x) {
       const Vec2 p_vehicle = T_vehicle_map * floor.centre({x, y});
-      const double beyond_m = (direction < 0 ? -1 : 1) * p_vehicle.x() - end_m;
+      const double beyond_m = sign(gear) * p_vehicle.x() - end_m;
       if (beyond_m < from_m || beyond_m > to_m || std::abs(p_vehicle.y()) > half_m) continue;
       if (floor.at(FloorCell{x, y}) != Floor::kOccupied) changed.include({x, y});
       floor.set({x, y}, Floor::kOccupied);

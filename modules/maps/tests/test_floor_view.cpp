@@ -102,17 +102,18 @@ TEST(FloorView, ABeamWithoutReturnSaysNothingBehindWhatStandsNearerThanItLooks) 
 
 TEST(FloorView, BumperContactIsEnteredRightBeforeTheVehicle) {
   constexpr Footprint kCart{.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6};
-  for (const int direction : {1, -1}) {
+  for (const Gear gear : {Gear::kForward, Gear::kReverse}) {
     FloorGrid floor;
     const Pose2 T_map_vehicle{3, 2, 30 * kDegree};
     stand_on_floor(floor, kCart, T_map_vehicle);
-    strike_floor(floor, kCart, T_map_vehicle, direction);
+    strike_floor(floor, kCart, T_map_vehicle, gear);
     const auto at = [&](double x_m, double y_m) { return floor.at(T_map_vehicle * Vec2(x_m, y_m)); };
-    const double ahead_m = direction > 0 ? 0.95 : -0.25, behind_m = direction > 0 ? -0.25 : 0.95;
+    const double ahead_m = gear == Gear::kForward ? 0.95 : -0.25,
+                 behind_m = gear == Gear::kForward ? -0.25 : 0.95;
     for (const double y_m : {-0.25, 0.0, 0.25}) {
-      EXPECT_EQ(at(ahead_m + direction * 0.05, y_m), Floor::kOccupied);
-      EXPECT_NE(at(ahead_m - direction * 0.05, y_m), Floor::kOccupied);
-      EXPECT_NE(at(behind_m - direction * 0.05, y_m), Floor::kOccupied);
+      EXPECT_EQ(at(ahead_m + sign(gear) * 0.05, y_m), Floor::kOccupied);
+      EXPECT_NE(at(ahead_m - sign(gear) * 0.05, y_m), Floor::kOccupied);
+      EXPECT_NE(at(behind_m - sign(gear) * 0.05, y_m), Floor::kOccupied);
     }
   }
 }

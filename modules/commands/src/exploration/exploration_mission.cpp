@@ -59,7 +59,7 @@ class ExplorationMissionRecord final : public SimulatedRecord {
     show_pose({navigator_.learner().T_map_vehicle()});
     show_plan(navigator_.path());
     show_transducer();
-    show_floor(navigator_.learner().floor());
+    show_floor(navigator_.learner().floor().grid());
   }
 
   /// Only after a step of the transducer.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <unordered_set>
+#include <utility>
 
 #include "aisle/guidance/paths/footprint_clearance.hpp"
 #include "aisle/vehicle/arc.hpp"
@@ -35,34 +36,24 @@ constexpr PoseBins kDrivenBins{0.12, 36};
 constexpr PoseBins kReportedBins{0.4, 8};
 
 /// A floor that is free except for the obstacles.
-class TrueFloor {
- public:
-  explicit TrueFloor(std::span<const Segment2> obstacles) : floor_(kCell_m), clearance_(kClearanceMax_m) {
-    FloorBox box;
-    for (const Segment2& s : obstacles) {
-      box.include(floor_.cell_at(s.start));
-      box.include(floor_.cell_at(s.end));
-    }
-    box = box.widened(static_cast<int>(kFloorAround_m / kCell_m));
-    for (int y = box.low.y; y < box.end.y; ++y) {
-      for (int x = box.low.x; x < box.end.x; ++x) floor_.set({x, y}, Floor::kFree);
-    }
-    for (const Segment2& s : obstacles) {
-      const int steps = static_cast<int>(std::ceil(2 * s.length() / kCell_m)) + 1;
-      for (int i = 0; i <= steps; ++i)
-        floor_.set(floor_.cell_at(Vec2(s.start + (s.end - s.start) * i / steps)), Floor::kOccupied);
-    }
-    clearance_.update(floor_, box);
+KnownFloor true_floor(std::span<const Segment2> obstacles) {
+  FloorGrid grid(kCell_m);
+  FloorBox box;
+  for (const Segment2& s : obstacles) {
+    box.include(grid.cell_at(s.start));
+    box.include(grid.cell_at(s.end));
   }
-
-  bool fits(const FootprintClearance& footprint, const Pose2& T) const {
-    return footprint.fits(floor_, clearance_, T);
+  box = box.widened(static_cast<int>(kFloorAround_m / kCell_m));
+  for (int y = box.low.y; y < box.end.y; ++y) {
+    for (int x = box.low.x; x < box.end.x; ++x) grid.set({x, y}, Floor::kFree);
   }
-
- private:
-  FloorGrid floor_;
-  FloorClearance clearance_;
-};
+  for (const Segment2& s : obstacles) {
+    const int steps = static_cast<int>(std::ceil(2 * s.length() / kCell_m)) + 1;
+    for (int i = 0; i <= steps; ++i)
+      grid.set(grid.cell_at(Vec2(s.start + (s.end - s.start) * i / steps)), Floor::kOccupied);
+  }
+  return KnownFloor(std::move(grid), FloorClearance(kClearanceMax_m));
+}
 
 std::vector<Arc> steps_of(const VehicleDescription& vehicle) {
   if (vehicle.is_differential) return {{kStep_m, 0}, {-kStep_m, 0}, {0, kSpotTurn_rad}, {0, -kSpotTurn_rad}};
@@ -79,13 +70,13 @@ std::vector<Arc> steps_of(const VehicleDescription& vehicle) {
 
 std::vector<Pose2> poses_in_reach(std::span<const Segment2> obstacles, const VehicleDescription& vehicle,
                                   const Pose2& T_world_start, double margin_m) {
-  const TrueFloor floor(obstacles);
+  const KnownFloor floor = true_floor(obstacles);
   const FootprintClearance footprint(vehicle.footprint, margin_m);
   const std::vector<Arc> steps = steps_of(vehicle);
   const auto is_free = [&](const Pose2& T, const Arc& step) {
     for (int i = kChecks; i > 0; --i) {
       const double share = static_cast<double>(i) / kChecks;
-      if (!floor.fits(footprint, T * end_pose({share * step.length_m, share * step.turn_rad}))) return false;
+      if (!footprint.fits(floor, T * end_pose({share * step.length_m, share * step.turn_rad}))) return false;
     }
     return true;
   };

@@ -39,7 +39,7 @@ class GuideMissionRecord final : public SimulatedRecord {
     show_pose({navigator_.T_map_vehicle()});
     show_plan(navigator_.path());
     show_match(wall_match(navigator_.localiser()));
-    show_floor(navigator_.floor());
+    show_floor(navigator_.floor().grid());
     return SimulatedRecord::keep(decision);
   }
 

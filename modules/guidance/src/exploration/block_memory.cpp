@@ -16,11 +16,12 @@ constexpr double kBarred_rad = 6 * kDegree;
 
 }  // namespace
 
-void BlockMemory::note(const Pose2& T_map_vehicle, int direction) {
+void BlockMemory::note(const Pose2& T_map_vehicle, std::optional<Gear> gear) {
   times_ = was_at(T_map_vehicle) ? times_ + 1 : 1;
   p_map_ = T_map_vehicle.position();
-  blocked_direction_ = direction;
-  T_map_barred_.push_back(T_map_vehicle * Pose2{direction * kBarredAhead_m, 0, 0});
+  blocked_gear_ = gear;
+  const double ahead_m = gear ? sign(*gear) * kBarredAhead_m : 0;
+  T_map_barred_.push_back(T_map_vehicle * Pose2{ahead_m, 0, 0});
 }
 
 bool BlockMemory::was_at(const Pose2& T_map) const {

@@ -39,8 +39,7 @@ FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescri
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
       mapping_(params.mapping, sensor_->scanner()),
-      floor_(params.cell_m),
-      clearance_(params.legs),
+      floor_(FloorGrid(params.cell_m), FloorClearance(params.legs)),
       cell_m_(params.cell_m) {
   log_.laser() = sensor_->scanner();
 }
@@ -68,15 +67,17 @@ FloorLearner::News FloorLearner::take(const Observation& observation) {
   looks_.push_back({log_.scans.size() - 1, view_.near_m, T_map_vehicle_});
   T_map_looked_ = T_map_vehicle_;
   cycles_since_look_ = 0;
-  FloorBox changed = put(looks_.back(), T_map_vehicle_, floor_);
-  for (const Contact& contact : contacts_) changed.include_box(put(contact, contact.T_map_put, floor_));
-  clearance_.update(floor_, changed);
+  const FloorBox changed = floor_.change([this](FloorGrid& grid) {
+    FloorBox put_here = put(looks_.back(), T_map_vehicle_, grid);
+    for (const Contact& contact : contacts_) put_here.include_box(put(contact, contact.T_map_put, grid));
+    return put_here;
+  });
   return changed.empty() ? News::kNothing : News::kFloor;
 }
 
-void FloorLearner::add_contact(int direction) {
-  contacts_.push_back({log_.scans.size() - 1, T_scan_vehicle_, direction, T_map_vehicle_});
-  clearance_.update(floor_, put(contacts_.back(), T_map_vehicle_, floor_));
+void FloorLearner::add_contact(Gear gear) {
+  contacts_.push_back({log_.scans.size() - 1, T_scan_vehicle_, gear, T_map_vehicle_});
+  floor_.change([this](FloorGrid& grid) { return put(contacts_.back(), T_map_vehicle_, grid); });
 }
 
 void FloorLearner::settle_home() {
@@ -112,8 +113,10 @@ bool FloorLearner::hits_something_new() const {
   for (std::size_t beam = 0; beam < view_.ranges_m.size(); ++beam) {
     const double range_m = view_.ranges_m[beam];
     if (!(range_m > 0 && range_m < kNearBy_m)) continue;
-    const FloorCell cell = floor_.cell_at(Vec2(T_map_laser * Vec2(range_m * unit(scanner.beam_angle(beam)))));
-    if (floor_.at(cell) == Floor::kFree && clearance_.to_occupied_m(cell) > kApart_m) return true;
+    const FloorCell cell =
+        floor_.grid().cell_at(Vec2(T_map_laser * Vec2(range_m * unit(scanner.beam_angle(beam)))));
+    if (floor_.grid().at(cell) == Floor::kFree && floor_.clearance().to_occupied_m(cell) > kApart_m)
+      return true;
   }
   return false;
 }
@@ -128,7 +131,7 @@ FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGr
 }
 
 FloorBox FloorLearner::put(const Contact& contact, const Pose2& T_map_vehicle, FloorGrid& floor) const {
-  return strike_floor(floor, vehicle_.footprint, T_map_vehicle, contact.direction);
+  return strike_floor(floor, vehicle_.footprint, T_map_vehicle, contact.gear);
 }
 
 /// The area taken as free at the start. Whoever places the vehicle leaves it some space on all sides, and
@@ -163,32 +166,38 @@ bool FloorLearner::places_moved() {
 }
 
 void FloorLearner::begin_rebuild() {
-  rebuild_.emplace(cell_m_, clearance_.far_m(), params_.legs);
+  rebuild_.emplace(
+      Rebuild{KnownFloor(FloorGrid(cell_m_), FloorClearance(params_.legs, floor_.clearance().far_m()))});
 }
 
 /// Adds a few more scans to the new floor; true when all are added.
 bool FloorLearner::continue_rebuild() {
   const auto portion = static_cast<std::size_t>(std::max(1.0, kRebuiltACycle * cell_m_ / kRebuiltCell_m));
   const std::size_t end = std::min(rebuild_->next + portion, looks_.size());
-  FloorBox changed;
-  for (; rebuild_->next < end; ++rebuild_->next) {
-    Look& look = looks_[rebuild_->next];
-    look.T_map_put = T_map_of_all_[look.scan_index];
-    changed.include_box(put(look, look.T_map_put, rebuild_->floor));
-  }
-  if (rebuild_->next == looks_.size()) {
-    for (Contact& contact : contacts_) {
-      if (contact.scan_index < T_map_of_all_.size())  // later contacts have their new pose already
-        contact.T_map_put = T_map_of_all_[contact.scan_index] * contact.T_scan_vehicle;
-      changed.include_box(put(contact, contact.T_map_put, rebuild_->floor));
+  rebuild_->floor.change([&](FloorGrid& grid) {
+    FloorBox changed;
+    for (; rebuild_->next < end; ++rebuild_->next) {
+      Look& look = looks_[rebuild_->next];
+      look.T_map_put = T_map_of_all_[look.scan_index];
+      changed.include_box(put(look, look.T_map_put, grid));
     }
-  }
-  rebuild_->clearance.update(rebuild_->floor, changed);
-  if (rebuild_->next < looks_.size()) return false;
+    if (end == looks_.size()) changed.include_box(put_contacts_again(grid));
+    return changed;
+  });
+  if (end < looks_.size()) return false;
   floor_ = std::move(rebuild_->floor);
-  clearance_ = std::move(rebuild_->clearance);
   rebuild_.reset();
   return true;
+}
+
+FloorBox FloorLearner::put_contacts_again(FloorGrid& grid) {
+  FloorBox changed;
+  for (Contact& contact : contacts_) {
+    if (contact.scan_index < T_map_of_all_.size())  // later contacts have their new pose already
+      contact.T_map_put = T_map_of_all_[contact.scan_index] * contact.T_scan_vehicle;
+    changed.include_box(put(contact, contact.T_map_put, grid));
+  }
+  return changed;
 }
 
 }  // namespace aisle

@@ -12,21 +12,21 @@ constexpr double kCornerCells = 1;  // a point's clearance is at most this much 
 
 /// Whether the line of sight crosses neither obstacles nor unknown floor. Just before a pocket's edge the
 /// floor may be unknown.
-bool is_clear(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from, const Vec2& path,
-              double length_m, bool is_pocket) {
+bool is_clear(const KnownFloor& floor, const Vec2& from, const Vec2& path, double length_m, bool is_pocket) {
+  const FloorGrid& grid = floor.grid();
   const Vec2 along = path / length_m;
-  const double step_m = floor.cell_m() / 2;
-  const double known_m = length_m - (is_pocket ? Frontier::kPocketDepth_m : kClearanceCells * floor.cell_m());
+  const double step_m = grid.cell_m() / 2;
+  const double known_m = length_m - (is_pocket ? Frontier::kPocketDepth_m : kClearanceCells * grid.cell_m());
   const int steps = static_cast<int>(std::ceil((is_pocket ? length_m : known_m) / step_m));
   for (int i = 0; i < steps;) {
     const double passed_m = i * step_m;
-    const FloorCell cell = floor.cell_at(from + passed_m * along);
-    const double free_m = clearance.to_doubtful_m(cell);
+    const FloorCell cell = grid.cell_at(from + passed_m * along);
+    const double free_m = floor.clearance().to_doubtful_m(cell);
     if (free_m <= 0) {
-      const Floor kind = floor.at(cell);
+      const Floor kind = grid.at(cell);
       if (kind == Floor::kOccupied || (kind == Floor::kUnknown && passed_m < known_m)) return false;
     }
-    i += std::max(1, static_cast<int>((free_m - kCornerCells * floor.cell_m()) / step_m));
+    i += std::max(1, static_cast<int>((free_m - kCornerCells * grid.cell_m()) / step_m));
   }
   return true;
 }
@@ -43,8 +43,8 @@ bool shows_beam(const FrontierLook& look, const Pose2& T_map_scanner, const Vec2
 
 }  // namespace
 
-bool sees_frontier(const FrontierLook& look, const FloorGrid& floor, const FloorClearance& clearance,
-                   const Pose2& T_map_vehicle, const Frontier& frontier, std::size_t enough) {
+bool sees_frontier(const FrontierLook& look, const KnownFloor& floor, const Pose2& T_map_vehicle,
+                   const Frontier& frontier, std::size_t enough) {
   const Pose2 T_map_scanner = T_map_vehicle * look.scanner.T_vehicle_laser;
   const Vec2 ahead = unit(T_map_scanner.theta);
   const double cosine_least = std::cos(look.scanner.first_angle_rad + kScanEdge_rad);
@@ -56,8 +56,7 @@ bool sees_frontier(const FrontierLook& look, const FloorGrid& floor, const Floor
     const bool is_in_fan = ahead.dot(towards) >= cosine_least * distance_m;
     if (distance_m > look.reach_m || !is_in_fan || !shows_beam(look, T_map_scanner, towards, distance_m))
       continue;
-    if (!is_clear(floor, clearance, T_map_scanner.position(), towards, distance_m, frontier.is_pocket))
-      continue;
+    if (!is_clear(floor, T_map_scanner.position(), towards, distance_m, frontier.is_pocket)) continue;
     if (++seen >= enough) return true;
   }
   return false;

@@ -22,9 +22,11 @@ UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams&
   return {T_map_start, sigma.cwiseAbs2().asDiagonal()};
 }
 
-const FloorGrid& floor_of(const Building& building) {
+KnownFloor floor_of(const Building& building, const LegParams& legs) {
   if (!building.floor) throw std::invalid_argument("a building to be guided in needs its floor");
-  return *building.floor;
+  FloorClearance clearance(legs);
+  clearance.bar(building.barriers, building.floor->cell_m());
+  return KnownFloor(*building.floor, std::move(clearance));
 }
 
 }  // namespace
@@ -55,15 +57,11 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
       sensor_(std::move(sensor)),
       localiser_(params.localiser, sensor_->scanner(), building.walls, about_start(T_map_start, params)),
       has_barriers_(!building.barriers.empty()),
-      floor_(floor_of(building)),
-      clearance_(params.legs),
+      floor_(floor_of(building, params.legs)),
       search_(params.search, vehicle),
       driver_(vehicle, params.steering, params.speed),
       p_map_places_(std::move(p_map_places)),
-      T_map_vehicle_(T_map_start) {
-  clearance_.bar(building.barriers, floor_.cell_m());
-  clearance_.update(floor_, floor_.known());
-}
+      T_map_vehicle_(T_map_start) {}
 
 Decision GuideNavigator::step(const Observation& observation) {
   const double stamp_s = observation.stamp_s;
@@ -92,10 +90,12 @@ void GuideNavigator::look_at_floor(double stamp_s) {
   if (!moved && stamp_s - looked_s_ < params_.look_every_s) return;
   looked_s_ = stamp_s;
   T_map_looked_ = T_map_vehicle_;
-  FloorBox changed =
-      see_floor(floor_, sensor_->scanner(), view_.ranges_m, view_.near_m, T_map_vehicle_, params_.view);
-  changed.include_box(stand_on_floor(floor_, vehicle_.footprint, T_map_vehicle_));
-  clearance_.update(floor_, changed);
+  floor_.change([this](FloorGrid& grid) {
+    FloorBox changed =
+        see_floor(grid, sensor_->scanner(), view_.ranges_m, view_.near_m, T_map_vehicle_, params_.view);
+    changed.include_box(stand_on_floor(grid, vehicle_.footprint, T_map_vehicle_));
+    return changed;
+  });
 }
 
 std::string GuideNavigator::why_failed(const Observation& observation) {
@@ -111,7 +111,7 @@ std::string GuideNavigator::why_failed(const Observation& observation) {
 /// Something may have come into the path.
 void GuideNavigator::check_path() {
   const double watched_m = std::min(kWatchAhead_m, driver_.left_m());
-  if (driver_.free_m(floor_, clearance_, T_map_vehicle_) >= watched_m - 1e-6) return;
+  if (driver_.free_m(floor_, T_map_vehicle_) >= watched_m - 1e-6) return;
   ++ways_closed_;
   drop_path();
 }
@@ -129,9 +129,9 @@ bool GuideNavigator::is_at_place(const Pose2& T_map_vehicle) const {
 
 void GuideNavigator::begin_search() {
   const Vec2& p_map_place = p_map_places_[next_];
-  search_.look_for(floor_, clearance_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
+  search_.look_for(floor_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
                    [this](const Pose2& T_map) { return is_at_place(T_map); });
-  if (blocked_direction_ != 0) search_.forbid_first(std::exchange(blocked_direction_, 0));
+  search_.forbid_first(std::exchange(blocked_gear_, std::nullopt));
   if (relaxes_clearance_) search_.relax_clearance();
 }
 
@@ -146,7 +146,7 @@ void GuideNavigator::search_path(double stamp_s) {
     if (!relaxes_clearance_ && stamp_s - searched_s_ < kSearchAgain_s) return;
     begin_search();
   }
-  const CarSearch::State state = search_.advance(floor_, clearance_, params_.expansions);
+  const CarSearch::State state = search_.advance(floor_, params_.expansions);
   if (state == CarSearch::State::kNone) {
     searched_s_ = stamp_s;
     relaxes_clearance_ = !relaxes_clearance_;
@@ -165,11 +165,11 @@ void GuideNavigator::search_path(double stamp_s) {
 
 Decision GuideNavigator::drive(const Observation& observation) {
   driver_.see(sensor_->scanner(), view_.ranges_m);
-  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
-                                              T_map_vehicle_, steering_rad_of(observation.odometry));
+  const PathDriver::Step step = driver_.drive(floor_, search_.footprint_clearance(), T_map_vehicle_,
+                                              steering_rad_of(observation.odometry));
   const bool drives =
       step.state == PathDriver::State::kDriving || step.state == PathDriver::State::kTurningWheels;
-  if (step.state == PathDriver::State::kBlocked) blocked_direction_ = step.direction;
+  if (step.state == PathDriver::State::kBlocked) blocked_gear_ = step.gear;
   if (!drives && driver_.has_path()) drop_path();
   return {.command = step.command, .state = drives ? "driving" : "searching"};
 }

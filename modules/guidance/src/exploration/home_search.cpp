@@ -17,20 +17,18 @@ bool is_within(const Pose2& off, double within_m, double within_rad) {
 
 }  // namespace
 
-void HomeSearch::look_for(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_home,
-                          const Pose2& T_map_from) {
+void HomeSearch::look_for(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from) {
   is_exact_ = true;
   T_map_home_ = T_map_home;
-  run_in_ = run_in(floor, clearance, T_map_from);
-  search_.look_for_path_to(floor, clearance, T_map_run_in(), T_map_from);
+  run_in_ = run_in(floor, T_map_from);
+  search_.look_for_path_to(floor, T_map_run_in(), T_map_from);
 }
 
-void HomeSearch::look_for_near(const FloorGrid& floor, const FloorClearance& clearance,
-                               const Pose2& T_map_home, const Pose2& T_map_from) {
+void HomeSearch::look_for_near(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from) {
   is_exact_ = false;
-  search_.look_for(
-      floor, clearance, T_map_from, T_map_home.position(), kNear_m,
-      [T_map_home](const Pose2& T_map) { return is_within(between(T_map_home, T_map), kNear_m, kNear_rad); });
+  search_.look_for(floor, T_map_from, T_map_home.position(), kNear_m, [T_map_home](const Pose2& T_map) {
+    return is_within(between(T_map_home, T_map), kNear_m, kNear_rad);
+  });
 }
 
 Path HomeSearch::path() const {
@@ -41,15 +39,14 @@ Path HomeSearch::path() const {
 }
 
 /// From the side where the vehicle is, if there is space; else from the other side. Zero length: neither.
-Arc HomeSearch::run_in(const FloorGrid& floor, const FloorClearance& clearance,
-                       const Pose2& T_map_from) const {
+Arc HomeSearch::run_in(const KnownFloor& floor, const Pose2& T_map_from) const {
   const FootprintClearance& footprint_clearance = search_.footprint_clearance();
-  const RelaxedClearance at_home = footprint_clearance.relaxed_clearance(floor, clearance, T_map_home_);
+  const RelaxedClearance at_home = footprint_clearance.relaxed_clearance(floor, T_map_home_);
   const double first_m = between(T_map_home_, T_map_from).x > 0 ? -kRunIn_m : kRunIn_m;
   for (const double run_in_m : {first_m, -first_m}) {
     const Arc run_in{run_in_m, 0};
     const Path path({{T_map_home_ * end_pose(run_in).inverse(), run_in}});
-    if (footprint_clearance.free_path_m(floor, clearance, path, 0, at_home) >= path.length_m()) return run_in;
+    if (footprint_clearance.free_path_m(floor, path, 0, at_home) >= path.length_m()) return run_in;
   }
   return {};
 }

@@ -37,31 +37,32 @@ void TargetSearch::look_into_frontier(const Pose2& T_map_from, const TargetTries
   const auto shows_frontier = [this, reach_m, one_point_is_enough](const Pose2& T_map) {
     const FrontierLook look{learner_.sensor().scanner(), learner_.view().near_m, reach_m};
     const std::size_t enough = one_point_is_enough ? 1 : (frontier_.edge.size() + 3) / 4;
-    return sees_frontier(look, learner_.floor(), learner_.clearance(), T_map, frontier_, enough);
+    return sees_frontier(look, learner_.floor(), T_map, frontier_, enough);
   };
-  search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
-                   frontier_.is_pocket ? learner_.floor().centre(frontier_.viewpoint) : frontier_.p_map,
-                   frontier_.is_pocket ? kAboutStand_m : reach_m + front_m_, shows_frontier);
+  search_.look_for(
+      learner_.floor(), T_map_from,
+      frontier_.is_pocket ? learner_.floor().grid().centre(frontier_.viewpoint) : frontier_.p_map,
+      frontier_.is_pocket ? kAboutStand_m : reach_m + front_m_, shows_frontier);
 }
 
 /// All poses that see a part of the frontier's edge lie around it.
 void TargetSearch::search_from_ends_too(const TargetTries& tries) {
+  const FloorGrid& grid = learner_.floor().grid();
   FloorBox places;
-  for (const Vec2& p_map : frontier_.edge) places.include(learner_.floor().cell_at(p_map));
+  for (const Vec2& p_map : frontier_.edge) places.include(grid.cell_at(p_map));
   const double beside_m = look_from_m(tries) + front_m_;
-  search_.search_from_ends_too(
-      places.widened(static_cast<int>(std::ceil(beside_m / learner_.floor().cell_m()))));
+  search_.search_from_ends_too(places.widened(static_cast<int>(std::ceil(beside_m / grid.cell_m()))));
 }
 
 void TargetSearch::look_for_crossing(const Vec2& p_map_crossing, const Pose2& T_map_from) {
   const double near_m = distances_.crossing_near_m / 2;
-  search_.look_for(learner_.floor(), learner_.clearance(), T_map_from, p_map_crossing, 0,
+  search_.look_for(learner_.floor(), T_map_from, p_map_crossing, 0,
                    [=](const Pose2& T_map) { return (T_map.position() - p_map_crossing).norm() < near_m; });
 }
 
 void TargetSearch::look_for_home(const Pose2& T_map_from, bool exactly) {
   const auto look_for = exactly ? &HomeSearch::look_for : &HomeSearch::look_for_near;
-  (home_search_.*look_for)(learner_.floor(), learner_.clearance(), learner_.T_map_home(), T_map_from);
+  (home_search_.*look_for)(learner_.floor(), learner_.T_map_home(), T_map_from);
 }
 
 /// Nearer where the vehicle has seen nothing yet, farther where it cannot get so near.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMarkEvery_m = 0.2;
 constexpr double kMarkEvery_rad = 10 * kDegree;
-constexpr double kMoved_m = 0.005;  // in a cycle: less says nothing about the direction
+constexpr double kMoved_m = 0.005;  // in a cycle: less says nothing about the gear
 constexpr double kThere_m = 0.05;   // within this distance a mark is reached
 constexpr double kPullIn_m = 0.4;   // of path over which the cross-track error is corrected
 constexpr double kAlmostStraight_rad = 1e-6;
@@ -30,10 +30,10 @@ Arc arc_to(const Pose2& T_from_to) {
 
 void Trail::go_on(const Pose2& T_map_vehicle, std::size_t scan) {
   const double moved_m = between(latest_.T_map_vehicle, T_map_vehicle).x;
-  const int direction = std::abs(moved_m) < kMoved_m ? direction_ : moved_m > 0 ? 1 : -1;
-  const bool turns_about = !marks_.empty() && direction != direction_;
+  const std::optional<Gear> gear = std::abs(moved_m) < kMoved_m ? gear_ : gear_of(moved_m);
+  const bool turns_about = !marks_.empty() && gear != gear_;
   if (turns_about) marks_.push_back(latest_);
-  direction_ = direction;
+  gear_ = gear;
   latest_ = {T_map_vehicle, scan};
   const Pose2 since = marks_.empty() ? Pose2{} : between(marks_.back().T_map_vehicle, T_map_vehicle);
   if (marks_.empty() || since.position().norm() >= kMarkEvery_m || std::abs(since.theta) >= kMarkEvery_rad)

@@ -292,9 +292,8 @@ Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation&
                           params_.off_route_max_m);
   if (!explorer_) return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   const FloorLearner& learner = explorer_->learner();
-  path_to_route_ = std::make_unique<PathToRoute>(vehicle_, params_.steering,
-                                                 SpeedParams{.speed_mps = params_.search_speed_mps},
-                                                 learner.floor(), learner.clearance());
+  path_to_route_ = std::make_unique<PathToRoute>(
+      vehicle_, params_.steering, SpeedParams{.speed_mps = params_.search_speed_mps}, learner.floor());
   path_to_route_->begin(path_, T_map_vehicle * learner.T_map_vehicle().inverse(), T_map_vehicle);
   begin(State::kReturning);
   return {.command = {.steering_rad = steering_rad_of(observation.odometry)},

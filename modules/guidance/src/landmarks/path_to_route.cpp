@@ -18,8 +18,8 @@ constexpr int kExpansions = 1500;              // of the path search, per cycle
 }  // namespace
 
 PathToRoute::PathToRoute(const VehicleDescription& vehicle, const SteeringParams& steering,
-                         const SpeedParams& speed, const FloorGrid& floor, const FloorClearance& clearance)
-    : floor_(floor), clearance_(clearance), search_({}, vehicle), driver_(vehicle, steering, speed) {}
+                         const SpeedParams& speed, const KnownFloor& floor)
+    : floor_(floor), search_({}, vehicle), driver_(vehicle, steering, speed) {}
 
 void PathToRoute::begin(const Path& route, const Pose2& T_map_floor, const Pose2& T_map_vehicle) {
   T_floor_map_ = T_map_floor.inverse();
@@ -40,8 +40,8 @@ PathToRoute::State PathToRoute::step(const Pose2& T_map_vehicle, double steering
   command = {.steering_rad = steering_rad};
   if (state_ == State::kSearching) state_ = search();
   if (state_ != State::kDriving) return state_;
-  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
-                                              T_floor_map_ * T_map_vehicle, steering_rad);
+  const PathDriver::Step step =
+      driver_.drive(floor_, search_.footprint_clearance(), T_floor_map_ * T_map_vehicle, steering_rad);
   command = step.command;
   if (step.state == PathDriver::State::kArrived) state_ = State::kThere;
   if (step.state == PathDriver::State::kBlocked) state_ = State::kNoPath;
@@ -55,7 +55,7 @@ PathAhead PathToRoute::ahead(const Pose2& T_map_vehicle, double reach_m) const {
 }
 
 PathToRoute::State PathToRoute::search() {
-  switch (search_.advance(floor_, clearance_, kExpansions)) {
+  switch (search_.advance(floor_, kExpansions)) {
     case CarSearch::State::kFound: {
       const Path path = search_.path();
       if (path.empty()) return State::kThere;

@@ -55,20 +55,18 @@ bool BrakingClearance::is_off_hit(const Pose2& T_vehicle_later, double margin_m)
   });
 }
 
-bool BrakingClearance::is_free(const FloorGrid& floor, const FloorClearance& clearance,
-                               const Pose2& T_map_vehicle, const Command& command,
+bool BrakingClearance::is_free(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
                                double steering_rad) const {
   return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
-    return is_free_at(floor, clearance, T_map_vehicle, T_vehicle_later);
+    return is_free_at(floor, T_map_vehicle, T_vehicle_later);
   });
 }
 
-bool BrakingClearance::is_free_on_trail(const FloorGrid& floor, const FloorClearance& clearance,
-                                        const Pose2& T_map_vehicle, const Command& command,
-                                        double steering_rad) const {
+bool BrakingClearance::is_free_on_trail(const KnownFloor& floor, const Pose2& T_map_vehicle,
+                                        const Command& command, double steering_rad) const {
   return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
     return is_off_hit(T_vehicle_later, kHitOnTrail_m) &&
-           footprint_clearance_.lies_on_free(floor, clearance, T_map_vehicle * T_vehicle_later);
+           footprint_clearance_.lies_on_free(floor, T_map_vehicle * T_vehicle_later);
   });
 }
 
@@ -93,13 +91,13 @@ double BrakingClearance::stopping_path_m(double speed_mps) const {
   return speed * kReaction_s + speed * speed / (2 * vehicle_.limits.deceleration_max_mps2) + kStopSlack_m;
 }
 
-bool BrakingClearance::is_free_at(const FloorGrid& floor, const FloorClearance& clearance,
-                                  const Pose2& T_map_vehicle, const Pose2& T_vehicle_later) const {
+bool BrakingClearance::is_free_at(const KnownFloor& floor, const Pose2& T_map_vehicle,
+                                  const Pose2& T_vehicle_later) const {
   if (!is_off_hit(T_vehicle_later)) return false;
   const Pose2 T_map_later = T_map_vehicle * T_vehicle_later;
-  if (footprint_clearance_.clearance_m(floor, clearance, T_map_later) >= 0) return true;
-  return footprint_clearance_.fits_barely(
-      floor, clearance, T_map_later, footprint_clearance_.relaxed_clearance(floor, clearance, T_map_vehicle));
+  if (footprint_clearance_.clearance_m(floor, T_map_later) >= 0) return true;
+  return footprint_clearance_.fits_barely(floor, T_map_later,
+                                          footprint_clearance_.relaxed_clearance(floor, T_map_vehicle));
 }
 
 /// From the footprint to the nearest laser return; 0 inside.

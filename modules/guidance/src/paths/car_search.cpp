@@ -143,7 +143,7 @@ void CarSearch::begin(const Pose2& T_map_leave) {
   queue_.clear();
   expansions_ = 0;
   reached_m_ = 0;
-  forbidden_first_ = 0;
+  forbidden_first_.reset();
   relaxes_clearance_ = false;
   is_free_ = nullptr;
   ends_ = {};
@@ -160,12 +160,12 @@ void CarSearch::begin_at(const Pose2& T_map) {
 }
 
 /// @return how many expansions that counts as
-int CarSearch::gather_ends(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
-  const int every = std::max(1, static_cast<int>(kEndsEvery_m / floor.cell_m()));
+int CarSearch::gather_ends(const KnownFloor& floor, int expansions) {
+  const int every = std::max(1, static_cast<int>(kEndsEvery_m / floor.grid().cell_m()));
   int used = 0;
   while (has_ends_left() && used < expansions) {
-    if (clearance.to_doubtful_m(next_end_) > 0)
-      used += kPlaceExpansions + gather_ends_at(floor, clearance, floor.centre(next_end_)) / kEndsAnExpansion;
+    if (floor.clearance().to_doubtful_m(next_end_) > 0)
+      used += kPlaceExpansions + gather_ends_at(floor, floor.grid().centre(next_end_)) / kEndsAnExpansion;
     next_end_.x += every;
     if (next_end_.x >= ends_.end.x) next_end_ = {ends_.low.x, next_end_.y + every};
   }
@@ -173,12 +173,12 @@ int CarSearch::gather_ends(const FloorGrid& floor, const FloorClearance& clearan
 }
 
 /// @return how many poses were tried
-int CarSearch::gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map) {
+int CarSearch::gather_ends_at(const KnownFloor& floor, const Vec2& p_map) {
   constexpr Pose2 kThere[] = {{}};
   int tried = 0;
   for (int heading = 0; heading < kHeadings; ++heading) {
     const Pose2 T_map{p_map.x(), p_map.y(), (heading + 0.5) / kHeadings * 2 * kPi - kPi};
-    if (bins_.contains(bin_of(T_map)) || !least_clearance_m(floor, clearance, T_map, kThere)) continue;
+    if (bins_.contains(bin_of(T_map)) || !least_clearance_m(floor, T_map, kThere)) continue;
     if (is_end_(T_map)) begin_at(T_map);
     ++tried;
   }
@@ -189,14 +189,18 @@ bool CarSearch::is_leaving(const Pose2& T_map) const {
   return (T_map.position() - T_map_leave_.position()).norm() < kLeave_m;
 }
 
+bool CarSearch::is_forbidden_first(const Arc& arc) const {
+  return forbidden_first_ && arc.length_m * sign(*forbidden_first_) > 0;
+}
+
 bool CarSearch::is_found(const Node& node) const {
-  const bool begins_forbidden = from_the_end_ && node.arc.length_m * forbidden_first_ > 0;
+  const bool begins_forbidden = from_the_end_ && is_forbidden_first(node.arc);
   return !begins_forbidden && is_goal_(node.T_map);
 }
 
-CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
-  leave_clearance_ = footprint_clearance_.relaxed_clearance(floor, clearance, T_map_leave_);
-  expansions -= gather_ends(floor, clearance, expansions);
+CarSearch::State CarSearch::advance(const KnownFloor& floor, int expansions) {
+  leave_clearance_ = footprint_clearance_.relaxed_clearance(floor, T_map_leave_);
+  expansions -= gather_ends(floor, expansions);
   while (expansions > 0 && state_ == State::kSearching) {
     if (queue_.empty() || expansions_ >= params_.expansions_max) {
       state_ = State::kNone;
@@ -214,7 +218,7 @@ CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance
       state_ = State::kFound;
       break;
     }
-    expand(floor, clearance, node);
+    expand(floor, node);
     expansions -= is_leaving(nodes_[node].T_map) ? kLeaveExpansions : 1;
   }
   return state_;
@@ -231,14 +235,13 @@ bool CarSearch::meets(const CarSearch& other) const {
                      [&](const auto& bin) { return other.bins_.contains(bin.first); });
 }
 
-void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node) {
-  for (const Move& move : relaxes_clearance_ ? sharp_moves_ : moves_) try_move(floor, clearance, node, move);
+void CarSearch::expand(const KnownFloor& floor, std::size_t node) {
+  for (const Move& move : relaxes_clearance_ ? sharp_moves_ : moves_) try_move(floor, node, move);
 }
 
-void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from,
-                         const Move& move) {
+void CarSearch::try_move(const KnownFloor& floor, std::size_t from, const Move& move) {
   const Arc& arc = move.arc;
-  if (!from_the_end_ && is_begin(from) && arc.length_m * forbidden_first_ > 0) return;
+  if (!from_the_end_ && is_begin(from) && is_forbidden_first(arc)) return;
   const std::vector<Pose2>& T_from_passed = from_the_end_ ? move.T_to_driven : move.T_from_driven;
   const Pose2 T_map = nodes_[from].T_map * T_from_passed.front();
   const std::uint64_t bin = bin_of(T_map);
@@ -249,7 +252,7 @@ void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance
   };
   const double cost_least_m = cost_with(params_.clearance_wanted_m);
   if (there != bins_.end() && nodes_[there->second].cost_m <= cost_least_m) return;
-  const auto clearance_m = least_clearance_m(floor, clearance, nodes_[from].T_map, T_from_passed);
+  const auto clearance_m = least_clearance_m(floor, nodes_[from].T_map, T_from_passed);
   if (!clearance_m) return;
   const double cost_m = cost_with(*clearance_m);
   std::size_t node = nodes_.size();
@@ -266,21 +269,20 @@ void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance
 }
 
 /// nullopt if some pose does not fit; negative if there is less clearance than the margin, but still enough.
-std::optional<double> CarSearch::least_clearance_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                                   const Pose2& T_map_from,
+std::optional<double> CarSearch::least_clearance_m(const KnownFloor& floor, const Pose2& T_map_from,
                                                    std::span<const Pose2> T_from_passed) const {
   const bool may_barely_fit = is_leaving(T_map_from);
   const double enough_m =
       may_barely_fit || relaxes_clearance_ ? std::min(0.0, kLeastMargin_m - params_.margin_m) : 0;
   const double needed_m =
       may_barely_fit ? std::min(enough_m, leave_clearance_.free_m - kClearanceNoise_m) : enough_m;
-  double least_m = clearance.far_m();
+  double least_m = floor.clearance().far_m();
   for (const Pose2& T_from : T_from_passed) {
     const Pose2 T_map = T_map_from * T_from;
-    const double clearance_m = footprint_clearance_.clearance_m(floor, clearance, T_map, needed_m);
-    const bool fits = clearance_m >= enough_m ||
-                      (may_barely_fit && footprint_clearance_.fits_barely(floor, clearance, T_map,
-                                                                          clearance_m, leave_clearance_));
+    const double clearance_m = footprint_clearance_.clearance_m(floor, T_map, needed_m);
+    const bool fits =
+        clearance_m >= enough_m ||
+        (may_barely_fit && footprint_clearance_.fits_barely(floor, T_map, clearance_m, leave_clearance_));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, clearance_m);
   }

@@ -19,9 +19,10 @@ constexpr double kTouchedCells =
 /// Bilinear interpolation between the centres of four cells.
 /// @param value_of  of a FloorCell, or of a cell inside the clearance map by its index
 template <class ValueOf>
-double between_cells(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map,
-                     ValueOf value_of) {
-  const double x = p_map.x() / floor.cell_m() - 0.5, y = p_map.y() / floor.cell_m() - 0.5;
+double between_cells(const KnownFloor& floor, const Vec2& p_map, ValueOf value_of) {
+  const FloorClearance& clearance = floor.clearance();
+  const double cell_m = floor.grid().cell_m();
+  const double x = p_map.x() / cell_m - 0.5, y = p_map.y() / cell_m - 0.5;
   const double column = std::floor(x), row = std::floor(y);
   const double right = x - column, up = y - row;
   const auto between = [&](double low_left, double low_right, double high_left, double high_right) {
@@ -71,28 +72,26 @@ void FootprintClearance::cover(const Piece& piece, const Vec2& size_max_m, std::
   }
 }
 
-double FootprintClearance::clearance_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                       const Pose2& T_map_vehicle, double enough_m) const {
-  return least_m(floor, clearance, T_map_vehicle, enough_m,
-                 [&](auto cell) { return clearance.to_doubtful_m(cell); });
+double FootprintClearance::clearance_m(const KnownFloor& floor, const Pose2& T_map_vehicle,
+                                       double enough_m) const {
+  return least_m(floor, T_map_vehicle, enough_m,
+                 [&](auto cell) { return floor.clearance().to_doubtful_m(cell); });
 }
 
-double FootprintClearance::standing_clearance_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                                const Pose2& T_map_vehicle) const {
-  return least_m(floor, clearance, T_map_vehicle, -kNoneNear_m,
-                 [&](auto cell) { return clearance.to_occupied_m(cell); });
+double FootprintClearance::standing_clearance_m(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
+  return least_m(floor, T_map_vehicle, -kNoneNear_m,
+                 [&](auto cell) { return floor.clearance().to_occupied_m(cell); });
 }
 
 /// Stops at the first disc with less than enough clearance.
 template <class DistanceAt>
-double FootprintClearance::least_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                   const Pose2& T_map_vehicle, double enough_m,
+double FootprintClearance::least_m(const KnownFloor& floor, const Pose2& T_map_vehicle, double enough_m,
                                    DistanceAt distance_at) const {
   const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
   const auto least = [&](const std::vector<Disc>& discs, double at_most_m, double enough_there_m) {
     for (const Disc& disc : discs) {
       const Vec2 p_map = T_map_vehicle.position() + R_map_vehicle * disc.p_vehicle;
-      at_most_m = std::min(at_most_m, between_cells(floor, clearance, p_map, distance_at) - disc.radius_m);
+      at_most_m = std::min(at_most_m, between_cells(floor, p_map, distance_at) - disc.radius_m);
       if (at_most_m < enough_there_m) break;
     }
     return at_most_m;
@@ -101,46 +100,45 @@ double FootprintClearance::least_m(const FloorGrid& floor, const FloorClearance&
   return rough_m >= kMuchClearance_m ? rough_m : least(close_, kMuchClearance_m, enough_m);
 }
 
-bool FootprintClearance::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
-                                     const Pose2& T_map_vehicle, double clearance_m,
+bool FootprintClearance::fits_barely(const KnownFloor& floor, const Pose2& T_map_vehicle, double clearance_m,
                                      const RelaxedClearance& least) const {
   const auto suffices = [](double actual_m, double least_m) {
     return actual_m >= std::min(0.0, least_m - kClearanceNoise_m);
   };
   return suffices(clearance_m, least.free_m) &&
-         suffices(standing_clearance_m(floor, clearance, T_map_vehicle), least.standing_m) &&
-         lies_on_free(floor, clearance, T_map_vehicle);
+         suffices(standing_clearance_m(floor, T_map_vehicle), least.standing_m) &&
+         lies_on_free(floor, T_map_vehicle);
 }
 
-bool FootprintClearance::lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
-                                      const Pose2& T_map_vehicle) const {
+bool FootprintClearance::lies_on_free(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
   const Vec2 ahead = unit(T_map_vehicle.theta), lateral = left_normal(ahead);
-  const double inset_m = floor.cell_m() / 2;
+  const FloorGrid& grid = floor.grid();
+  const double inset_m = grid.cell_m() / 2;
   const double length_m = footprint_.front_m + footprint_.rear_m - 2 * inset_m,
                width_m = footprint_.width_m - 2 * inset_m;
   const auto steps_over = [&](double path_m) {
-    return static_cast<int>(std::ceil(path_m / (kTouchedCells * floor.cell_m())));
+    return static_cast<int>(std::ceil(path_m / (kTouchedCells * grid.cell_m())));
   };
   const int columns = steps_over(length_m), rows = steps_over(width_m);
   for (int row = 0; row <= rows; ++row) {
     const double y = width_m * (static_cast<double>(row) / rows - 0.5);
     for (int column = 0; column <= columns;) {
       const double x = length_m * column / columns + inset_m - footprint_.rear_m;
-      const FloorCell cell = floor.cell_at(T_map_vehicle.position() + x * ahead + y * lateral);
-      const double free_m = clearance.to_doubtful_m(cell);
-      if (free_m <= 0 && (floor.at(cell) != Floor::kFree || clearance.is_barred(cell))) return false;
-      column += std::max(1, static_cast<int>((free_m - floor.cell_m()) * columns / length_m));
+      const FloorCell cell = grid.cell_at(T_map_vehicle.position() + x * ahead + y * lateral);
+      const double free_m = floor.clearance().to_doubtful_m(cell);
+      if (free_m <= 0 && !floor.is_free(cell)) return false;
+      column += std::max(1, static_cast<int>((free_m - grid.cell_m()) * columns / length_m));
     }
   }
   return true;
 }
 
-double FootprintClearance::free_path_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                       const Path& path, double from_m, const RelaxedClearance& least) const {
+double FootprintClearance::free_path_m(const KnownFloor& floor, const Path& path, double from_m,
+                                       const RelaxedClearance& least) const {
   const auto is_free = [&](double along_m) {
     const Pose2 T_map = path.at(along_m).T_map_path;
-    const double actual_m = clearance_m(floor, clearance, T_map);
-    return actual_m >= 0 || fits_barely(floor, clearance, T_map, actual_m, least);
+    const double actual_m = clearance_m(floor, T_map);
+    return actual_m >= 0 || fits_barely(floor, T_map, actual_m, least);
   };
   const double left_m = path.length_m() - from_m;
   const int checks = static_cast<int>(std::ceil(left_m / kPathCheck_m));

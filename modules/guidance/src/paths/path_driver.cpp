@@ -57,44 +57,39 @@ void PathDriver::drop() {
   is_on_trail_ = false;
 }
 
-double PathDriver::free_m(const FloorGrid& floor, const FloorClearance& clearance,
-                          const Pose2& T_map_vehicle) const {
+double PathDriver::free_m(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
   if (!has_path()) return 0;
   if (is_on_trail_) return left_m();
-  return kept_clearance_.free_path_m(floor, clearance, path_, progress_->point().along_m,
-                                     kept_clearance_.relaxed_clearance(floor, clearance, T_map_vehicle));
+  return kept_clearance_.free_path_m(floor, path_, progress_->point().along_m,
+                                     kept_clearance_.relaxed_clearance(floor, T_map_vehicle));
 }
 
-PathDriver::Step PathDriver::drive(const FloorGrid& floor, const FloorClearance& clearance,
-                                   const FootprintClearance& footprint_clearance, const Pose2& T_map_vehicle,
-                                   double steering_rad) {
+PathDriver::Step PathDriver::drive(const KnownFloor& floor, const FootprintClearance& footprint_clearance,
+                                   const Pose2& T_map_vehicle, double steering_rad) {
   const Command standing{.steering_rad = steering_rad};
   if (!has_path()) return {State::kNoPath, standing};
   const PathPoint& point = progress_->advance(T_map_vehicle);
   if (progress_->has_arrived()) return {State::kArrived, standing};
-  const double care =
-      driving_care(vehicle_, footprint_clearance, floor, clearance, path_, point.along_m, steering_rad);
+  const double care = driving_care(vehicle_, footprint_clearance, floor, path_, point.along_m, steering_rad);
   const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, speed_);
   const Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
   if (const auto wheels_rad = wheels_to_turn_rad(point, command.steering_rad, steering_rad))
     return {State::kTurningWheels, {.steering_rad = *wheels_rad}};
-  const int direction = command.speed_mps > 0 ? 1 : -1;
-  if (is_free(floor, clearance, T_map_vehicle, command, steering_rad))
-    return {State::kDriving, command, direction};
+  const Gear gear = command.speed_mps > 0 ? Gear::kForward : Gear::kReverse;
+  if (is_free(floor, T_map_vehicle, command, steering_rad)) return {State::kDriving, command, gear};
   Command creeping = command;
   creeping.speed_mps = std::clamp(command.speed_mps, -kCreeping_mps, kCreeping_mps);
-  if (is_free(floor, clearance, T_map_vehicle, creeping, steering_rad))
-    return {State::kDriving, creeping, direction};
+  if (is_free(floor, T_map_vehicle, creeping, steering_rad)) return {State::kDriving, creeping, gear};
   const bool is_for_wheels = std::abs(command.steering_rad - steering_rad) > kWheelsTurned_rad &&
-                             is_free(floor, clearance, T_map_vehicle, command, command.steering_rad);
-  if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, direction};
-  return {State::kBlocked, standing, direction};
+                             is_free(floor, T_map_vehicle, command, command.steering_rad);
+  if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, gear};
+  return {State::kBlocked, standing, gear};
 }
 
-bool PathDriver::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                         const Command& command, double steering_rad) const {
-  return is_on_trail_ ? braking_.is_free_on_trail(floor, clearance, T_map_vehicle, command, steering_rad)
-                      : braking_.is_free(floor, clearance, T_map_vehicle, command, steering_rad);
+bool PathDriver::is_free(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
+                         double steering_rad) const {
+  return is_on_trail_ ? braking_.is_free_on_trail(floor, T_map_vehicle, command, steering_rad)
+                      : braking_.is_free(floor, T_map_vehicle, command, steering_rad);
 }
 
 /// Where the path's curvature does not match the steering angle, the vehicle stops to turn its wheels; but

@@ -26,43 +26,42 @@ StagedSearch::StagedSearch(const CarSearchParams& params, const VehicleDescripti
       from_ends_(params, vehicle) {}
 
 double StagedSearch::left_m(const Guide& guide, const Vec2& p_map) const {
-  const float left = guide.distances.to(floor_->cell_at(p_map));
+  const float left = guide.distances.to(grid_->cell_at(p_map));
   return std::isfinite(left) ? left : (p_map - guide.p_map_place).norm() + kOffKnownFloor_m;
 }
 
 /// Distance to a place, with the search's margin, or else with the vehicle's width only.
-double StagedSearch::measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map_from,
-                             const Vec2& p_map_place, Guide& guide) const {
+double StagedSearch::measure(const KnownFloor& floor, const Vec2& p_map_from, const Vec2& p_map_place,
+                             Guide& guide) const {
   guide.p_map_place = p_map_place;
   float path_m = FloorDistances::kUnreached;
   for (const double clearance_m : {half_width_m_ + params_.margin_m, half_width_m_}) {
-    guide.distances.measure(floor, clearance, p_map_place, clearance_m, kLeeway_m);
-    path_m = guide.distances.near(floor, p_map_from, kBeside_m);
+    guide.distances.measure(floor, p_map_place, clearance_m, kLeeway_m);
+    path_m = guide.distances.near(floor.grid(), p_map_from, kBeside_m);
     if (std::isfinite(path_m)) break;
   }
   return path_m;
 }
 
-void StagedSearch::begin(const FloorGrid& floor, const Pose2& T_map_vehicle) {
-  floor_ = &floor;
+void StagedSearch::begin(const KnownFloor& floor, const Pose2& T_map_vehicle) {
+  grid_ = &floor.grid();
   T_map_vehicle_ = T_map_vehicle;
   is_stage_ = ends_are_shut_off_ = false;
   from_ends_.stop();
 }
 
-void StagedSearch::look_for(const FloorGrid& floor, const FloorClearance& clearance,
-                            const Pose2& T_map_vehicle, const Vec2& p_map_place, double about_m,
-                            CarSearch::IsGoal is_goal) {
+void StagedSearch::look_for(const KnownFloor& floor, const Pose2& T_map_vehicle, const Vec2& p_map_place,
+                            double about_m, CarSearch::IsGoal is_goal) {
   begin(floor, T_map_vehicle);
   is_goal_ = std::move(is_goal);
-  const double left_now_m = measure(floor, clearance, T_map_vehicle.position(), p_map_place, to_place_);
+  const double left_now_m = measure(floor, T_map_vehicle.position(), p_map_place, to_place_);
   const bool is_far = std::isfinite(left_now_m) && left_now_m > kStageSlack * params_.stage_m + about_m;
   const double stage_end_m = is_far ? left_now_m - params_.stage_m : -1;
   search_.look_for(
       T_map_vehicle,
       [this, stage_end_m](const Pose2& T_map) {
         const bool is_there = is_goal_(T_map);
-        is_stage_ = !is_there && to_place_.distances.to(floor_->cell_at(T_map.position())) <= stage_end_m;
+        is_stage_ = !is_there && to_place_.distances.to(grid_->cell_at(T_map.position())) <= stage_end_m;
         return is_there || is_stage_;
       },
       [this, about_m](const Vec2& p_map) { return std::max(0.0, left_m(to_place_, p_map) - about_m); });
@@ -74,16 +73,14 @@ void StagedSearch::search_from_ends_too(const FloorBox& places) {
                                   [this](const Vec2& p_map) { return left_m(*to_vehicle_, p_map); });
 }
 
-void StagedSearch::look_for_path_to(const FloorGrid& floor, const FloorClearance& clearance,
-                                    const Pose2& T_map_goal, const Pose2& T_map_vehicle) {
+void StagedSearch::look_for_path_to(const KnownFloor& floor, const Pose2& T_map_goal,
+                                    const Pose2& T_map_vehicle) {
   begin(floor, T_map_vehicle);
-  const double left_now_m =
-      measure(floor, clearance, T_map_vehicle.position(), T_map_goal.position(), to_place_);
+  const double left_now_m = measure(floor, T_map_vehicle.position(), T_map_goal.position(), to_place_);
   if (std::isfinite(left_now_m) && left_now_m > kStageSlack * params_.stage_m) {
-    return look_for(floor, clearance, T_map_vehicle, T_map_goal.position(), 0,
-                    [](const Pose2&) { return false; });
+    return look_for(floor, T_map_vehicle, T_map_goal.position(), 0, [](const Pose2&) { return false; });
   }
-  measure(floor, clearance, T_map_goal.position(), T_map_vehicle.position(), to_place_);
+  measure(floor, T_map_goal.position(), T_map_vehicle.position(), to_place_);
   search_.look_for_path_to(T_map_goal, T_map_vehicle,
                            [this](const Vec2& p_map) { return left_m(to_place_, p_map); });
 }
@@ -93,9 +90,9 @@ void StagedSearch::keep_to(const std::function<bool(const Pose2&)>& is_free) {
   from_ends_.keep_to(is_free);
 }
 
-void StagedSearch::forbid_first(int direction) {
-  search_.forbid_first(direction);
-  from_ends_.forbid_first(direction);
+void StagedSearch::forbid_first(std::optional<Gear> gear) {
+  search_.forbid_first(gear);
+  from_ends_.forbid_first(gear);
 }
 
 void StagedSearch::relax_clearance() {
@@ -109,15 +106,14 @@ bool StagedSearch::is_turn_of_ends() const {
 }
 
 /// If both searches reached a common pose, there may be a path although neither found one.
-CarSearch::State StagedSearch::advance(const FloorGrid& floor, const FloorClearance& clearance,
-                                       int expansions) {
+CarSearch::State StagedSearch::advance(const KnownFloor& floor, int expansions) {
   if (!is_turn_of_ends()) {
-    search_.advance(floor, clearance, expansions);
+    search_.advance(floor, expansions);
     return state();
   }
   if (!to_vehicle_)
-    measure(floor, clearance, to_place_.p_map_place, T_map_vehicle_.position(), to_vehicle_.emplace(Guide{}));
-  from_ends_.advance(floor, clearance, expansions);
+    measure(floor, to_place_.p_map_place, T_map_vehicle_.position(), to_vehicle_.emplace(Guide{}));
+  from_ends_.advance(floor, expansions);
   ends_are_shut_off_ = found_none_at_all(from_ends_) && !from_ends_.meets(search_);
   return state();
 }

@@ -40,8 +40,7 @@ FrameBacking::FrameBacking(const FrameBackingParams& params, const VehicleDescri
       run_up_m_(params.run_up_m) {}
 
 void FrameBacking::begin(FloorGrid floor, const Pose2& T_floor_odom) {
-  floor_ = std::move(floor);
-  clearance_ = FloorClearance();
+  floor_ = KnownFloor(std::move(floor));
   T_floor_odom_ = T_floor_odom;
   ++plans_;
   state_ = State::kSearching;
@@ -51,16 +50,18 @@ void FrameBacking::begin(FloorGrid floor, const Pose2& T_floor_odom) {
 
 void FrameBacking::see(std::span<const SeenEdge> edges, const Pose2& T_odom_vehicle) {
   constexpr double kNear_m = 2.5;  // points seen from farther away are inaccurate
-  FloorBox changed;
-  for (const auto& [p_vehicle, seen_from_m] : edges) {
-    const FloorCell cell = floor_.cell_at(T_floor_odom_ * T_odom_vehicle * p_vehicle);
-    if (seen_from_m > kNear_m || off_footprint_m(vehicle_.footprint, p_vehicle) < 0 ||
-        floor_.at(cell) == Floor::kOccupied)
-      continue;
-    floor_.set(cell, Floor::kOccupied);
-    changed.include(cell);
-  }
-  clearance_.update(floor_, changed);
+  floor_.change([&](FloorGrid& grid) {
+    FloorBox changed;
+    for (const auto& [p_vehicle, seen_from_m] : edges) {
+      const FloorCell cell = grid.cell_at(T_floor_odom_ * T_odom_vehicle * p_vehicle);
+      if (seen_from_m > kNear_m || off_footprint_m(vehicle_.footprint, p_vehicle) < 0 ||
+          grid.at(cell) == Floor::kOccupied)
+        continue;
+      grid.set(cell, Floor::kOccupied);
+      changed.include(cell);
+    }
+    return changed;
+  });
 }
 
 Decision FrameBacking::step(double stamp_s, const Pose2& T_odom_vehicle, const Pose2& T_odom_frame,
@@ -105,8 +106,7 @@ double FrameBacking::deeper_m() const {
   const double length_m = vehicle_.footprint.front_m + vehicle_.footprint.rear_m;
   const double to_line_m = std::max(0.0, (size_m_.x() - length_m) / 2);
   const Pose2 T_floor_onto_line = T_floor_odom_ * T_odom_parked() * Pose2{-(to_line_m + kOntoLine_m), 0, 0};
-  return search_.footprint_clearance().fits_barely(floor_, clearance_, T_floor_onto_line,
-                                                   {.free_m = kAnyClearance_m})
+  return search_.footprint_clearance().fits_barely(floor_, T_floor_onto_line, {.free_m = kAnyClearance_m})
              ? to_line_m + kOntoLine_m
              : std::max(0.0, to_line_m - kOffLine_m);
 }
@@ -124,15 +124,17 @@ Decision FrameBacking::search() {
   constexpr double kShorter = 0.6;
   Decision searching{.state = "searching", .why = "a path to turn about"};
   if (search_.state() == CarSearch::State::kIdle) {
-    free_under(vehicle_.footprint, T_floor_odom_ * T_odom_vehicle_, floor_);
-    for (int i = 0; i * floor_.cell_m() < run_up_m_; ++i)
-      free_under(vehicle_.footprint, T_floor_odom_ * T_odom_parked() * Pose2{i * floor_.cell_m(), 0, 0},
-                 floor_);
-    clearance_.update(floor_, floor_.known());
+    floor_.change([this](FloorGrid& grid) {
+      free_under(vehicle_.footprint, T_floor_odom_ * T_odom_vehicle_, grid);
+      for (int i = 0; i * grid.cell_m() < run_up_m_; ++i)
+        free_under(vehicle_.footprint, T_floor_odom_ * T_odom_parked() * Pose2{i * grid.cell_m(), 0, 0},
+                   grid);
+      return grid.known();
+    });
     search_path();
     return searching;
   }
-  switch (search_.advance(floor_, clearance_, kPortion)) {
+  switch (search_.advance(floor_, kPortion)) {
     case CarSearch::State::kFound:
       if (const Path path = search_.path(); !path.empty()) driver_.take(path);
       state_ = State::kTurning;
@@ -153,8 +155,8 @@ Decision FrameBacking::search() {
 }
 
 Decision FrameBacking::turn(double stamp_s) {
-  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
-                                              T_floor_odom_ * T_odom_vehicle_, steering_rad_);
+  const PathDriver::Step step =
+      driver_.drive(floor_, search_.footprint_clearance(), T_floor_odom_ * T_odom_vehicle_, steering_rad_);
   if (step.state == PathDriver::State::kArrived || step.state == PathDriver::State::kNoPath) {
     state_ = State::kBackingIn;
     return back_in(stamp_s);
@@ -182,11 +184,12 @@ Decision FrameBacking::drive_to(double ahead_of_parked_m, const char* state) con
   constexpr double kBeyond_m = 1;
   const Pose2 off = FrameBacking::off();
   const double left_m = ahead_of_parked_m - off.x;
-  const double direction = left_m < 0 ? -1 : 1;
+  const Gear gear = gear_of(left_m);
   const double speed_mps = std::clamp(std::sqrt(2 * params_.speed.deceleration_mps2 * std::abs(left_m)),
                                       params_.speed.speed_min_mps, params_.speed.speed_mps);
   const double path_m = std::abs(left_m) + 2 * kBeyond_m;
-  const Path path({{T_odom_parked() * Pose2{off.x - direction * kBeyond_m, 0, 0}, {direction * path_m, 0}}});
+  const Path path(
+      {{T_odom_parked() * Pose2{off.x - sign(gear) * kBeyond_m, 0, 0}, {sign(gear) * path_m, 0}}});
   const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, path_m);
   return {.command = follower_.follow(path, point, T_odom_vehicle_, speed_mps, steering_rad_),
           .state = state,

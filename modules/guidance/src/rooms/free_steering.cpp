@@ -43,14 +43,14 @@ double nearest_m(const Footprint& footprint, std::span<const Obstacle> obstacles
 }
 
 SteeringChoice free_path_among(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                               std::span<const Obstacle> obstacles, double steering_rad, int direction) {
+                               std::span<const Obstacle> obstacles, double steering_rad, Gear gear) {
   const double turn_per_m = std::tan(steering_rad) / vehicle.front_steered.wheelbase_m;
   const double now_m = nearest_m(vehicle.footprint, obstacles, {}, 0);
   SteeringChoice choice{.steering_rad = steering_rad, .free_m = 0, .clearance_m = now_m};
   const int steps = static_cast<int>(std::lround(params.reach_m / kPathStep_m));
   for (int step = 1; step <= steps; ++step) {
     const double path_m = step * kPathStep_m;
-    const Pose2 T_now_then = end_pose({direction * path_m, direction * path_m * turn_per_m});
+    const Pose2 T_now_then = end_pose({sign(gear) * path_m, sign(gear) * path_m * turn_per_m});
     const double off_m = nearest_m(vehicle.footprint, obstacles, T_now_then, path_m);
     // The vehicle may drive away from an obstacle that is too near already.
     if (off_m < std::min(params.margin_m, now_m - 0.001)) break;
@@ -73,12 +73,12 @@ void FreeSteeringParams::describe(FieldList& fields) {
 }
 
 SteeringChoice free_path(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                         std::span<const Vec2> p_vehicle, double steering_rad, int direction) {
-  return free_path_among(vehicle, params, nearest_first(p_vehicle), steering_rad, direction);
+                         std::span<const Vec2> p_vehicle, double steering_rad, Gear gear) {
+  return free_path_among(vehicle, params, nearest_first(p_vehicle), steering_rad, gear);
 }
 
 SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                               std::span<const Vec2> p_vehicle, double requested_rad, int direction) {
+                               std::span<const Vec2> p_vehicle, double requested_rad, Gear gear) {
   const std::vector<Obstacle> obstacles = nearest_first(p_vehicle);
   const double max_rad = vehicle.limits.steering_max_rad;
   const double clamped_rad = std::clamp(requested_rad, -max_rad, max_rad);
@@ -87,7 +87,7 @@ SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeStee
   double least = 0;
   for (int i = -1; i <= steps; ++i) {
     const double steering_rad = i < 0 ? clamped_rad : std::min(-max_rad + i * params.step_rad, max_rad);
-    const SteeringChoice choice = free_path_among(vehicle, params, obstacles, steering_rad, direction);
+    const SteeringChoice choice = free_path_among(vehicle, params, obstacles, steering_rad, gear);
     const double cost =
         square((steering_rad - clamped_rad) / params.requested_rad) +
         params.clearance_weight * square(std::clamp(1 - choice.clearance_m / params.comfort_m, 0.0, 1.0)) +

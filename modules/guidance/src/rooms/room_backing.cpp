@@ -40,7 +40,7 @@ std::vector<Vec2> RoomNavigator::standing_behind() const {
 SteeringChoice RoomNavigator::choose_steering_behind(double requested_rad) const {
   FreeSteeringParams steering = params_.steering;
   steering.comfort_m = params_.end_comfort_m;
-  return choose_steering(vehicle_, steering, standing_behind(), requested_rad, -1);
+  return choose_steering(vehicle_, steering, standing_behind(), requested_rad, Gear::kReverse);
 }
 
 void RoomNavigator::begin_to_back_off() {
@@ -60,7 +60,7 @@ SteeringChoice RoomNavigator::choose_path_back() const {
   double least = -1;
   for (int i = -steps; i <= steps; ++i) {
     const double steering_rad = i * params_.steering.step_rad;
-    const SteeringChoice choice = free_path(vehicle_, params_.steering, around, steering_rad, -1);
+    const SteeringChoice choice = free_path(vehicle_, params_.steering, around, steering_rad, Gear::kReverse);
     const double back_m = std::min(params_.back_off_m, choice.free_m);
     const double turn_rad = -back_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m;
     const Pose2 T_map_then = pose() * end_pose({-back_m, turn_rad});

@@ -81,9 +81,8 @@ void RoomNavigator::forget_frame_lines() {
 
 Decision RoomNavigator::unless_obstructed(Decision decision, double now_s) {
   if (decision.status != NavigatorStatus::kGoing || decision.command.speed_mps == 0) return decision;
-  const int direction = decision.command.speed_mps > 0 ? 1 : -1;
   const SteeringChoice choice = free_path(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),
-                                          decision.command.steering_rad, direction);
+                                          decision.command.steering_rad, gear_of(decision.command.speed_mps));
   if (choice.free_m >= params_.stop_free_m) {
     stopped_s_.reset();
     return decision;

@@ -9,9 +9,9 @@ namespace {
 
 constexpr Pose2 kStopped{5, 2, 90 * kDegree};
 
-TEST(BlockMemory, BarsThePoseJustBeyondInItsDrivingDirection) {
+TEST(BlockMemory, BarsThePoseJustBeyondInItsGear) {
   BlockMemory backwards;
-  backwards.note(kStopped, -1);
+  backwards.note(kStopped, Gear::kReverse);
   EXPECT_TRUE(backwards.is_barred({5, 1.92, 90 * kDegree}));
   EXPECT_FALSE(backwards.is_barred({5, 2.08, 90 * kDegree}));
   EXPECT_FALSE(backwards.is_barred({5.05, 1.92, 90 * kDegree})) << "beside it";
@@ -24,22 +24,22 @@ TEST(BlockMemory, CountsStopsInARowOnOneSpot) {
   BlockMemory blocks;
   EXPECT_FALSE(blocks.was_at(kStopped));
   for (int times = 1; times <= 3; ++times) {
-    blocks.note(kStopped, 1);
+    blocks.note(kStopped, Gear::kForward);
     EXPECT_EQ(blocks.times(), times);
   }
   EXPECT_TRUE(blocks.was_at({5.1, 2.1, 0}));
-  blocks.note({6, 2, 0}, 1);
+  blocks.note({6, 2, 0}, Gear::kForward);
   EXPECT_EQ(blocks.times(), 1);
   EXPECT_FALSE(blocks.was_at(kStopped));
 }
 
-TEST(BlockMemory, BlocksTheDirectionUntilThereIsNoOtherPath) {
+TEST(BlockMemory, BlocksTheGearUntilThereIsNoOtherPath) {
   BlockMemory blocks;
-  EXPECT_EQ(blocks.blocked_direction(), 0);
-  blocks.note(kStopped, -1);
-  EXPECT_EQ(blocks.blocked_direction(), -1);
-  blocks.unblock_direction();
-  EXPECT_EQ(blocks.blocked_direction(), 0);
+  EXPECT_EQ(blocks.blocked_gear(), std::nullopt);
+  blocks.note(kStopped, Gear::kReverse);
+  EXPECT_EQ(blocks.blocked_gear(), Gear::kReverse);
+  blocks.unblock_gear();
+  EXPECT_EQ(blocks.blocked_gear(), std::nullopt);
   EXPECT_TRUE(blocks.was_at(kStopped));
 }
 

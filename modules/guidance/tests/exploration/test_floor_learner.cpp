@@ -37,12 +37,12 @@ class StandingCart {
     return learner_.take(observation);
   }
 
-  Floor at(const Vec2& p_laser) const { return learner_.floor().at(in_map(p_laser)); }
+  Floor at(const Vec2& p_laser) const { return learner_.floor().grid().at(in_map(p_laser)); }
   /// Straight ahead, between the two distances, stands neither an obstacle nor a table.
   bool is_open(double from_m, double to_m) const {
     for (double ahead_m = from_m; ahead_m < to_m; ahead_m += 0.01) {
-      const FloorCell cell = learner_.floor().cell_at(in_map({ahead_m, 0}));
-      if (learner_.clearance().to_occupied_m(cell) <= 0) return false;
+      const FloorCell cell = learner_.floor().grid().cell_at(in_map({ahead_m, 0}));
+      if (learner_.floor().clearance().to_occupied_m(cell) <= 0) return false;
     }
     return true;
   }

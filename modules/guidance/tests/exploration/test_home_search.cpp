@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "known_floor.hpp"
+#include "free_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -10,11 +10,11 @@ namespace {
 class PathsHome : public testing::Test {
  protected:
   Path found() {
-    EXPECT_EQ(search_.advance(known_.floor, known_.clearance, 200000), CarSearch::State::kFound);
+    EXPECT_EQ(search_.advance(known_, 200000), CarSearch::State::kFound);
     return home_search_.path();
   }
 
-  KnownFloor known_{{Vec2(0, 0), Vec2(10, 3)}};
+  KnownFloor known_ = free_floor({{Vec2(0, 0), Vec2(10, 3)}});
   StagedSearch search_{{}, cart()};
   HomeSearch home_search_{search_};
   Pose2 T_map_home_{2.5, 1.5, 0};
@@ -22,7 +22,7 @@ class PathsHome : public testing::Test {
 
 TEST_F(PathsHome, EndExactlyThereAfterAStraightMetre) {
   for (const double from_x_m : {0.5, 6.5}) {
-    home_search_.look_for(known_.floor, known_.clearance, T_map_home_, {from_x_m, 1.2, 0});
+    home_search_.look_for(known_, T_map_home_, {from_x_m, 1.2, 0});
     const Path path = found();
     EXPECT_TRUE(home_search_.leads_home());
     ASSERT_FALSE(path.empty());
@@ -35,7 +35,7 @@ TEST_F(PathsHome, EndExactlyThereAfterAStraightMetre) {
 }
 
 TEST_F(PathsHome, NearHomeIsNotHome) {
-  home_search_.look_for_near(known_.floor, known_.clearance, T_map_home_, {7, 1.5, 0});
+  home_search_.look_for_near(known_, T_map_home_, {7, 1.5, 0});
   const Path path = found();
   EXPECT_FALSE(home_search_.leads_home());
   ASSERT_FALSE(path.empty());
@@ -45,8 +45,8 @@ TEST_F(PathsHome, NearHomeIsNotHome) {
 }
 
 TEST_F(PathsHome, AStageOfAFarPathDoesNotLeadHomeYet) {
-  known_ = KnownFloor{{Vec2(0, 0), Vec2(40, 3)}};
-  home_search_.look_for(known_.floor, known_.clearance, T_map_home_, {37, 1.5, kPi});
+  known_ = free_floor({{Vec2(0, 0), Vec2(40, 3)}});
+  home_search_.look_for(known_, T_map_home_, {37, 1.5, kPi});
   found();
   EXPECT_FALSE(home_search_.leads_home());
 }

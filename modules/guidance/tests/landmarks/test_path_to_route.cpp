@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "known_floor.hpp"
+#include "free_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -22,7 +22,7 @@ class PathToRouteTest : public testing::Test {
 
   /// Drives a cart that executes commands without delay, for at most three minutes.
   PathToRoute::State bring(const KnownFloor& known, const Pose2& T_floor_vehicle) {
-    PathToRoute path(cart(), {}, {.speed_mps = 0.2}, known.floor, known.clearance);
+    PathToRoute path(cart(), {}, {.speed_mps = 0.2}, known);
     T_map_vehicle_ = in_map(T_floor_vehicle);
     path.begin(route(), T_map_floor_, T_map_vehicle_);
     PathToRoute::State state = PathToRoute::State::kSearching;
@@ -47,7 +47,7 @@ class PathToRouteTest : public testing::Test {
   }
 
   const Pose2 T_map_floor_{3, -2, 70 * kDegree};
-  const KnownFloor corridor_{{Vec2(0, 0), Vec2(7, 2.4)}};
+  const KnownFloor corridor_ = free_floor({{Vec2(0, 0), Vec2(7, 2.4)}});
   Pose2 T_map_vehicle_;
 };
 
@@ -57,14 +57,14 @@ TEST_F(PathToRouteTest, TurnsAVehicleThatFacesTheWrongWay) {
 }
 
 TEST_F(PathToRouteTest, BringsAVehicleBackFromASideCorridor) {
-  const KnownFloor crossing{{Vec2(0, 0), Vec2(7, 2.4)}, {Vec2(2.5, -4), Vec2(4.5, 0)}};
+  const KnownFloor crossing = free_floor({{Vec2(0, 0), Vec2(7, 2.4)}, {Vec2(2.5, -4), Vec2(4.5, 0)}});
   EXPECT_EQ(bring(crossing, {3.5, -2, 90 * kDegree}), PathToRoute::State::kThere);
   expect_on_route();
 }
 
 TEST_F(PathToRouteTest, TellsWhereItLeadsWhileItDrives) {
-  const KnownFloor crossing{{Vec2(0, 0), Vec2(7, 2.4)}, {Vec2(2.5, -4), Vec2(4.5, 0)}};
-  PathToRoute path(cart(), {}, {.speed_mps = 0.2}, crossing.floor, crossing.clearance);
+  const KnownFloor crossing = free_floor({{Vec2(0, 0), Vec2(7, 2.4)}, {Vec2(2.5, -4), Vec2(4.5, 0)}});
+  PathToRoute path(cart(), {}, {.speed_mps = 0.2}, crossing);
   const Pose2 T_map_vehicle = in_map({3.5, -2, 90 * kDegree});
   path.begin(route(), T_map_floor_, T_map_vehicle);
   EXPECT_TRUE(path.ahead(T_map_vehicle, 2).empty());
@@ -87,12 +87,12 @@ TEST_F(PathToRouteTest, AVehicleOnItsRouteIsThereAtOnce) {
 }
 
 TEST_F(PathToRouteTest, WhereNoKnownFloorLeadsToTheRouteThereIsNoPath) {
-  const KnownFloor room{{Vec2(0, -6), Vec2(2, -5)}};
+  const KnownFloor room = free_floor({{Vec2(0, -6), Vec2(2, -5)}});
   EXPECT_EQ(bring(room, {0.6, -5.5, 0}), PathToRoute::State::kNoPath);
 }
 
 TEST_F(PathToRouteTest, DoesNotSearchForARouteFarAway) {
-  const KnownFloor room{{Vec2(0, -36), Vec2(3, -32)}};
+  const KnownFloor room = free_floor({{Vec2(0, -36), Vec2(3, -32)}});
   EXPECT_EQ(bring(room, {1, -34, 0}), PathToRoute::State::kNoPath);
 }
 

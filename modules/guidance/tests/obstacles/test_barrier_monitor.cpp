@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "known_floor.hpp"
+#include "free_floor.hpp"
 
 namespace aisle {
 namespace {

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "aisle/guidance/paths/braking_clearance.hpp"
-#include "known_floor.hpp"
+#include "free_floor.hpp"
 
 namespace aisle {
 namespace {
 
-const KnownFloor kHall({{Vec2(0, 0), Vec2(10, 4)}});
+const KnownFloor kHall = free_floor({{Vec2(0, 0), Vec2(10, 4)}});
 
 BrakingClearance braking_seeing(const std::vector<float>& ranges_m) {
   BrakingClearance braking(cart(), 0.02);
@@ -15,7 +15,7 @@ BrakingClearance braking_seeing(const std::vector<float>& ranges_m) {
 }
 
 bool may_drive(const BrakingClearance& braking, const Pose2& T_map_vehicle, const Command& command) {
-  return braking.is_free(kHall.floor, kHall.clearance, T_map_vehicle, command, command.steering_rad);
+  return braking.is_free(kHall, T_map_vehicle, command, command.steering_rad);
 }
 
 TEST(BrakingClearance, StopsInTimeBeforeUnknownFloor) {
@@ -53,21 +53,18 @@ TEST(BrakingClearance, TooNearAWallItMayDriveAlongItButNotNearer) {
 }
 
 TEST(BrakingClearance, OnItsTrailItMayComeNearToObstaclesBesideIt) {
-  KnownFloor hall({{Vec2(0, 0), Vec2(10, 4)}});
-  for (int x = 0; x < 200; ++x) hall.floor.set({x, 0}, Floor::kOccupied);
-  hall.clearance.update(hall.floor, hall.floor.known());
+  KnownFloor hall = free_floor({{Vec2(0, 0), Vec2(10, 4)}});
+  for (int x = 0; x < 200; ++x) occupy(hall, {x, 0});
   const BrakingClearance braking = braking_seeing({});
   const Pose2 T_map_vehicle{5, 0.385, 0};
   const Command swings_its_front_out{.speed_mps = -0.1, .steering_rad = 20 * kDegree};
   const auto may_go_back = [&] {
-    return braking.is_free_on_trail(hall.floor, hall.clearance, T_map_vehicle, swings_its_front_out,
+    return braking.is_free_on_trail(hall, T_map_vehicle, swings_its_front_out,
                                     swings_its_front_out.steering_rad);
   };
-  EXPECT_FALSE(braking.is_free(hall.floor, hall.clearance, T_map_vehicle, swings_its_front_out,
-                               swings_its_front_out.steering_rad));
+  EXPECT_FALSE(braking.is_free(hall, T_map_vehicle, swings_its_front_out, swings_its_front_out.steering_rad));
   EXPECT_TRUE(may_go_back());
-  hall.floor.set(hall.floor.cell_at({4.72, 0.385}), Floor::kOccupied);
-  hall.clearance.update(hall.floor, hall.floor.known());
+  occupy(hall, hall.grid().cell_at({4.72, 0.385}));
   EXPECT_FALSE(may_go_back());
 }
 

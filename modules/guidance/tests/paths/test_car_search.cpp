@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "aisle/guidance/paths/car_search.hpp"
-#include "known_floor.hpp"
+#include "free_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -11,15 +11,14 @@ void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDes
   const FootprintClearance footprint_clearance(vehicle.footprint, 0);
   for (double along_m = 0; along_m <= path.length_m(); along_m += 0.02) {
     const PathPoint point = path.at(along_m);
-    EXPECT_TRUE(footprint_clearance.fits_barely(known.floor, known.clearance, point.T_map_path, {-1, -1}))
-        << along_m;
+    EXPECT_TRUE(footprint_clearance.fits_barely(known, point.T_map_path, {-1, -1})) << along_m;
     EXPECT_LE(std::abs(point.curvature_per_m) * vehicle.front_steered.wheelbase_m,
               std::tan(vehicle.limits.steering_max_rad));
   }
 }
 
 CarSearch::State run(const KnownFloor& known, CarSearch& search) {
-  while (search.advance(known.floor, known.clearance, 100000) == CarSearch::State::kSearching) continue;
+  while (search.advance(known, 100000) == CarSearch::State::kSearching) continue;
   return search.state();
 }
 
@@ -28,7 +27,7 @@ double no_guide(const Vec2&) {
 }
 
 TEST(CarSearch, TurnsRoundInACorridorWhereItCan) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(12, 2.2)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(12, 2.2)}});
   CarSearch search({}, cart());
   search.look_for(
       {3, 1.1, 0}, [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; }, no_guide);
@@ -37,7 +36,7 @@ TEST(CarSearch, TurnsRoundInACorridorWhereItCan) {
 }
 
 TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(8, 0.95)}, {Vec2(0, 0), Vec2(2.2, 4)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(8, 0.95)}, {Vec2(0, 0), Vec2(2.2, 4)}});
   CarSearch search({}, cart());
   search.look_for(
       {6, 0.475, 0}, [](const Pose2& T) { return T.y > 2; },
@@ -48,11 +47,11 @@ TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
 }
 
 TEST(CarSearch, LeavesADoorwayThatIsTooNarrowToEnter) {
-  KnownFloor known({{Vec2(0, 0), Vec2(3, 3)}, {Vec2(3, 1.15), Vec2(3.2, 1.85)}, {Vec2(3.2, 0), Vec2(6, 3)}});
+  KnownFloor known =
+      free_floor({{Vec2(0, 0), Vec2(3, 3)}, {Vec2(3, 1.15), Vec2(3.2, 1.85)}, {Vec2(3.2, 0), Vec2(6, 3)}});
   for (int y = 0; y < 60; ++y) {
-    if (y < 23 || y >= 37) known.floor.set({62, y}, Floor::kOccupied);
+    if (y < 23 || y >= 37) occupy(known, {62, y});
   }
-  known.clearance.update(known.floor, known.floor.known());
   CarSearch search({}, cart());
   const auto beyond = [](const Pose2& T) { return T.x > 4; };
   search.look_for({1, 1.5, 0}, beyond, no_guide);
@@ -63,17 +62,17 @@ TEST(CarSearch, LeavesADoorwayThatIsTooNarrowToEnter) {
 }
 
 TEST(CarSearch, BeginsInTheOtherDirectionIfOneIsForbidden) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(10, 5)}});
   CarSearch search({}, cart());
   search.look_for(
       {4, 2.5, 0}, [](const Pose2& T) { return T.x > 7; }, no_guide);
-  search.forbid_first(1);
+  search.forbid_first(Gear::kForward);
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
 }
 
 TEST(CarSearch, AvoidsForbiddenPosesThatTheFloorShowsAsFree) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(12, 5)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(12, 5)}});
   CarSearch search({}, cart());
   const auto is_free = [](const Pose2& T) { return (T.position() - Vec2(6, 2.5)).norm() > 1; };
   search.look_for(
@@ -86,7 +85,7 @@ TEST(CarSearch, AvoidsForbiddenPosesThatTheFloorShowsAsFree) {
 }
 
 TEST(CarSearch, EndsExactlyAtAPose) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(10, 5)}});
   CarSearch search({}, cart());
   const Pose2 T_map_goal{2, 2, 0.3}, T_map_vehicle{8, 3, 1};
   search.look_for_path_to(T_map_goal, T_map_vehicle,
@@ -101,11 +100,11 @@ TEST(CarSearch, EndsExactlyAtAPose) {
 }
 
 TEST(CarSearch, EndsAtAnyGoodPose) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(10, 5)}});
   CarSearch search({}, cart());
   const auto is_good = [](const Pose2& T) { return T.x < 3 && std::abs(wrap_angle(T.theta - kPi)) < 0.2; };
   const Pose2 T_map_vehicle{8, 3, 1};
-  const FloorBox places{known.floor.cell_at({1, 1}), known.floor.cell_at({5, 4})};
+  const FloorBox places{known.grid().cell_at({1, 1}), known.grid().cell_at({5, 4})};
   search.look_for_path_to_any(is_good, places, T_map_vehicle,
                               [&](const Vec2& p) { return (p - T_map_vehicle.position()).norm(); });
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
@@ -116,25 +115,25 @@ TEST(CarSearch, EndsAtAnyGoodPose) {
 }
 
 TEST(CarSearch, TriesFewPosesWhereAllGoodOnesAreShutOff) {
-  const KnownFloor hall_and_closet({{Vec2(0, 0), Vec2(20, 20)}, {Vec2(22, 0), Vec2(24, 2)}});
+  const KnownFloor hall_and_closet = free_floor({{Vec2(0, 0), Vec2(20, 20)}, {Vec2(22, 0), Vec2(24, 2)}});
   CarSearch search({}, cart());
   const auto in_the_closet = [](const Pose2& T) { return T.x > 22; };
-  search.look_for_path_to_any(in_the_closet, hall_and_closet.floor.known(), {5, 5, 0}, no_guide);
+  search.look_for_path_to_any(in_the_closet, hall_and_closet.grid().known(), {5, 5, 0}, no_guide);
   EXPECT_EQ(run(hall_and_closet, search), CarSearch::State::kNone);
   EXPECT_TRUE(search.has_tried_all());
   EXPECT_LT(search.expansions(), 5000);
 }
 
 TEST(CarSearch, TriesNoMoreEndsThanAPortionAllows) {
-  const KnownFloor hall({{Vec2(0, 0), Vec2(20, 20)}});
+  const KnownFloor hall = free_floor({{Vec2(0, 0), Vec2(20, 20)}});
   CarSearch search({}, cart());
   int tried = 0;
   const auto never = [&](const Pose2&) {
     ++tried;
     return false;
   };
-  search.look_for_path_to_any(never, hall.floor.known(), {5, 5, 0}, no_guide);
-  while (search.advance(hall.floor, hall.clearance, 500) == CarSearch::State::kSearching) {
+  search.look_for_path_to_any(never, hall.grid().known(), {5, 5, 0}, no_guide);
+  while (search.advance(hall, 500) == CarSearch::State::kSearching) {
     EXPECT_LT(tried, 2000);
     tried = 0;
   }
@@ -142,7 +141,7 @@ TEST(CarSearch, TriesNoMoreEndsThanAPortionAllows) {
 }
 
 TEST(CarSearch, PassesANarrowGapWithRelaxedClearance) {
-  const KnownFloor room_off_corridor(
+  const KnownFloor room_off_corridor = free_floor(
       {{Vec2(0, 0), Vec2(8, 1.25)}, {Vec2(4, 1.25), Vec2(4.85, 1.45)}, {Vec2(2.5, 1.45), Vec2(6.5, 4.5)}});
   CarSearch search({}, cart());
   const Pose2 T_map_vehicle{1, 0.625, 0};
@@ -156,7 +155,7 @@ TEST(CarSearch, PassesANarrowGapWithRelaxedClearance) {
 }
 
 TEST(CarSearch, FindsNoPathBeyondKnownFloor) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(4, 2)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(4, 2)}});
   CarSearch search({}, cart());
   search.look_for(
       {2, 1, 0}, [](const Pose2& T) { return T.x > 6; }, no_guide);
@@ -164,7 +163,7 @@ TEST(CarSearch, FindsNoPathBeyondKnownFloor) {
 }
 
 TEST(CarSearch, KnowsWhereItCameIfItFoundNoPath) {
-  const KnownFloor two_rooms({{Vec2(0, 0), Vec2(4, 4)}, {Vec2(6, 0), Vec2(10, 4)}});
+  const KnownFloor two_rooms = free_floor({{Vec2(0, 0), Vec2(4, 4)}, {Vec2(6, 0), Vec2(10, 4)}});
   CarSearch search({}, cart());
   search.look_for(
       {2, 2, 0}, [](const Pose2&) { return false; }, no_guide);
@@ -175,13 +174,13 @@ TEST(CarSearch, KnowsWhereItCameIfItFoundNoPath) {
 }
 
 TEST(CarSearch, FindsTheSamePathInPortions) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(12, 2.2)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(12, 2.2)}});
   const auto is_turned = [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; };
   CarSearch whole({}, cart()), portions({}, cart());
   whole.look_for({3, 1.1, 0}, is_turned, no_guide);
   portions.look_for({3, 1.1, 0}, is_turned, no_guide);
   run(known, whole);
-  while (portions.advance(known.floor, known.clearance, 17) == CarSearch::State::kSearching) continue;
+  while (portions.advance(known, 17) == CarSearch::State::kSearching) continue;
   EXPECT_EQ(portions.expansions(), whole.expansions());
   EXPECT_EQ(portions.path().length_m(), whole.path().length_m());
 }

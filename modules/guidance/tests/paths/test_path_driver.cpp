@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "known_floor.hpp"
+#include "free_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -25,8 +25,7 @@ Path path_of(const std::vector<Arc>& arcs, Pose2 T_map_start) {
 class PathDriving : public testing::Test {
  protected:
   PathDriver::Step cycle() {
-    const PathDriver::Step step =
-        driver_.drive(hall_.floor, hall_.clearance, footprint_clearance_, T_map_vehicle_, steering_rad_);
+    const PathDriver::Step step = driver_.drive(hall_, footprint_clearance_, T_map_vehicle_, steering_rad_);
     steering_rad_ = step.command.steering_rad;
     T_map_vehicle_ =
         T_map_vehicle_ * drive(cart().front_steered,
@@ -43,7 +42,7 @@ class PathDriving : public testing::Test {
     return state;
   }
 
-  KnownFloor hall_{{Vec2(0, 0), Vec2(12, 8)}};
+  KnownFloor hall_ = free_floor({{Vec2(0, 0), Vec2(12, 8)}});
   FootprintClearance footprint_clearance_{cart().footprint, 0.05};
   PathDriver driver_{cart(), {}, {}};
   Pose2 T_map_vehicle_{2, 4, 0};
@@ -74,7 +73,7 @@ TEST_F(PathDriving, DrivesAContinuedPathWithoutAStop) {
 
 TEST_F(PathDriving, IsBlockedBeforeUnknownFloor) {
   driver_.take(path_of({{12, 0}}, T_map_vehicle_));
-  EXPECT_NEAR(driver_.free_m(hall_.floor, hall_.clearance, T_map_vehicle_), 9, 0.2);
+  EXPECT_NEAR(driver_.free_m(hall_, T_map_vehicle_), 9, 0.2);
   EXPECT_EQ(drive_on(), PathDriver::State::kBlocked);
   EXPECT_LT(T_map_vehicle_.x + cart().footprint.front_m, 12);
   EXPECT_GT(T_map_vehicle_.x, 10);
@@ -87,7 +86,7 @@ TEST_F(PathDriving, IsBlockedByPresentLaserReturns) {
   driver_.see(kGeometry, ranges_m);
   const PathDriver::Step step = cycle();
   EXPECT_EQ(step.state, PathDriver::State::kBlocked);
-  EXPECT_EQ(step.direction, 1);
+  EXPECT_EQ(step.gear, Gear::kForward);
   EXPECT_EQ(step.command.speed_mps, 0);
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "aisle/guidance/paths/staged_search.hpp"
-#include "known_floor.hpp"
+#include "free_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -10,19 +10,16 @@ constexpr double kStage_m = 6;
 
 /// A corridor 30 m long in which the vehicle can turn round only at the far end.
 struct LongCorridor {
-  KnownFloor known = KnownFloor({{Vec2(0, 0), Vec2(30, 1.1)}, {Vec2(27, 0), Vec2(30, 4)}});
+  KnownFloor known = free_floor({{Vec2(0, 0), Vec2(30, 1.1)}, {Vec2(27, 0), Vec2(30, 4)}});
   StagedSearch search{{.stage_m = kStage_m}, cart()};
 
-  Path found() {
-    return search.advance(known.floor, known.clearance, 1000000) == CarSearch::State::kFound ? search.path()
-                                                                                             : Path();
-  }
+  Path found() { return search.advance(known, 1000000) == CarSearch::State::kFound ? search.path() : Path(); }
 };
 
 TEST(StagedSearch, LeadsOneStageTowardsADistantGoal) {
   LongCorridor corridor;
   const Vec2 p_map_place(28, 0.5);
-  corridor.search.look_for(corridor.known.floor, corridor.known.clearance, {2, 0.55, 0}, p_map_place, 0,
+  corridor.search.look_for(corridor.known, {2, 0.55, 0}, p_map_place, 0,
                            [](const Pose2& T) { return T.x > 26; });
   const Path path = corridor.found();
   EXPECT_TRUE(corridor.search.is_stage());
@@ -36,8 +33,7 @@ TEST(StagedSearch, LeadsToTheGoalStageByStage) {
   int stages = 0;
   bool is_stage = true;
   for (; is_stage && stages < 10; ++stages) {
-    corridor.search.look_for(corridor.known.floor, corridor.known.clearance, T_map, {28, 0.5}, 0,
-                             [](const Pose2& T) { return T.x > 26; });
+    corridor.search.look_for(corridor.known, T_map, {28, 0.5}, 0, [](const Pose2& T) { return T.x > 26; });
     const Path path = corridor.found();
     ASSERT_FALSE(path.empty());
     T_map = path.at(path.length_m()).T_map_path;
@@ -51,7 +47,7 @@ TEST(StagedSearch, LeadsToTheGoalStageByStage) {
 TEST(StagedSearch, EndsExactlyAtANearPose) {
   LongCorridor corridor;
   const Pose2 T_map_goal{4, 0.5, 0};
-  corridor.search.look_for_path_to(corridor.known.floor, corridor.known.clearance, T_map_goal, {10, 0.55, 0});
+  corridor.search.look_for_path_to(corridor.known, T_map_goal, {10, 0.55, 0});
   const Path path = corridor.found();
   ASSERT_FALSE(path.empty());
   EXPECT_FALSE(corridor.search.is_stage());
@@ -59,10 +55,10 @@ TEST(StagedSearch, EndsExactlyAtANearPose) {
 }
 
 TEST(StagedSearch, FindsNoPathOutOfAClosedRoom) {
-  const KnownFloor known({{Vec2(0, 0), Vec2(4, 3)}, {Vec2(6, 0), Vec2(9, 3)}});
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(4, 3)}, {Vec2(6, 0), Vec2(9, 3)}});
   StagedSearch search({.stage_m = kStage_m}, cart());
-  search.look_for(known.floor, known.clearance, {1, 1, 0}, {8, 1}, 0, [](const Pose2& T) { return T.x > 7; });
-  EXPECT_EQ(search.advance(known.floor, known.clearance, 1000000), CarSearch::State::kNone);
+  search.look_for(known, {1, 1, 0}, {8, 1}, 0, [](const Pose2& T) { return T.x > 7; });
+  EXPECT_EQ(search.advance(known, 1000000), CarSearch::State::kNone);
 }
 
 /// A hall with more poses than a search ever tries, and off it a dead-end corridor. Near the corridor's end,
@@ -70,18 +66,18 @@ TEST(StagedSearch, FindsNoPathOutOfAClosedRoom) {
 /// cannot.
 struct HallAndRoom {
   explicit HallAndRoom(double corridor_m)
-      : known({{Vec2(0, 0), Vec2(20, 20)},
-               {Vec2(-7, 5.35 - corridor_m), Vec2(0, 5.35)},
-               {Vec2(-6.75, 5.35), Vec2(-5.8, 5.5)},
-               {Vec2(-7, 5.5), Vec2(-3, 8)}}) {
-    search.look_for(known.floor, known.clearance, {5, 5, 0}, {-5, 7}, 0, is_in_the_room);
+      : known(free_floor({{Vec2(0, 0), Vec2(20, 20)},
+                          {Vec2(-7, 5.35 - corridor_m), Vec2(0, 5.35)},
+                          {Vec2(-6.75, 5.35), Vec2(-5.8, 5.5)},
+                          {Vec2(-7, 5.5), Vec2(-3, 8)}})) {
+    search.look_for(known, {5, 5, 0}, {-5, 7}, 0, is_in_the_room);
   }
 
   void search_from_ends_too() {
-    search.search_from_ends_too({known.floor.cell_at({-8, 4}), known.floor.cell_at({-2, 9})});
+    search.search_from_ends_too({known.grid().cell_at({-8, 4}), known.grid().cell_at({-2, 9})});
   }
   CarSearch::State search_in_portions() {
-    while (search.advance(known.floor, known.clearance, 1500) == CarSearch::State::kSearching) continue;
+    while (search.advance(known, 1500) == CarSearch::State::kSearching) continue;
     return search.state();
   }
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "known_floor.hpp"
+#include "free_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -18,7 +18,7 @@ const Pose2 kParked = kFrame * Pose2{0.35, 0, kPi};
 /// A vehicle that stands before a frame on known floor, with perfect odometry.
 struct BackedVehicle {
   explicit BackedVehicle(const KnownFloor& known) : backing({}, cart(), kSize_m) {
-    backing.begin(known.floor, {});
+    backing.begin(known.grid(), {});
   }
 
   Decision step(const Pose2& T_odom_frame = kFrame) {
@@ -51,14 +51,14 @@ void expect_parked(const BackedVehicle& vehicle, const Pose2& T_odom_due) {
 }
 
 TEST(FrameBacking, TurnsAboutAndParksBackwards) {
-  BackedVehicle vehicle(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}});
+  BackedVehicle vehicle(free_floor({{Vec2(0, 0), Vec2(7, 4)}}));
   EXPECT_EQ(vehicle.run_until("parked").status, NavigatorStatus::kDone);
   expect_parked(vehicle, kParked);
   EXPECT_EQ(vehicle.backing.tries(), 1);
 }
 
 TEST(FrameBacking, DrivesOutAndInAgainIfMisaligned) {
-  BackedVehicle vehicle(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}});
+  BackedVehicle vehicle(free_floor({{Vec2(0, 0), Vec2(7, 4)}}));
   vehicle.run_until("looking");
   const Pose2 seen{0.01, 0.04, 1.5 * kDegree};
   EXPECT_EQ(vehicle.run_until("driving out", kFrame * seen).state, "driving out");
@@ -76,19 +76,19 @@ double rear_while_looking_m(const KnownFloor& known) {
 
 TEST(FrameBacking, LooksFromTheFarLineIfTheFloorBeyondItIsFree) {
   const double line_m = kFrame.x + kSize_m.x() / 2;
-  EXPECT_NEAR(rear_while_looking_m(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}}), line_m + 0.03, 0.01);
-  EXPECT_NEAR(rear_while_looking_m(KnownFloor{{Vec2(0, 0), Vec2(line_m, 4)}}), line_m - 0.02, 0.01);
+  EXPECT_NEAR(rear_while_looking_m(free_floor({{Vec2(0, 0), Vec2(7, 4)}})), line_m + 0.03, 0.01);
+  EXPECT_NEAR(rear_while_looking_m(free_floor({{Vec2(0, 0), Vec2(line_m, 4)}})), line_m - 0.02, 0.01);
 }
 
 TEST(FrameBacking, FailsWhereItCannotTurn) {
-  BackedVehicle vehicle(KnownFloor{{Vec2(0, 1.5), Vec2(7, 2.5)}});
+  BackedVehicle vehicle(free_floor({{Vec2(0, 1.5), Vec2(7, 2.5)}}));
   const Decision decision = vehicle.run_until("parked");
   EXPECT_EQ(decision.status, NavigatorStatus::kFailed);
   EXPECT_EQ(decision.state, "no room");
 }
 
 TEST(FrameBacking, AsksForTheFloorAgainIfAnObstacleStaysInItsPath) {
-  BackedVehicle vehicle(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}});
+  BackedVehicle vehicle(free_floor({{Vec2(0, 0), Vec2(7, 4)}}));
   vehicle.run_until("turning about");
   std::vector<SeenEdge> around;
   for (double y = -0.5; y <= 0.5; y += 0.05) {

@@ -27,7 +27,7 @@ TEST(FreeSteering, KeepsTheRequestedAngleWithoutObstacles) {
 
 TEST(FreeSteering, TheFreePathEndsAMarginBeforeAWall) {
   const auto ahead = wall({1.75, -1}, {1.75, 1});
-  const SteeringChoice straight = free_path(cart(), {}, ahead, 0, 1);
+  const SteeringChoice straight = free_path(cart(), {}, ahead, 0, Gear::kForward);
   EXPECT_NEAR(straight.free_m, 0.7, 0.06);  // 0.95 of the vehicle, 0.06 of margin
 }
 
@@ -38,20 +38,20 @@ TEST(FreeSteering, TurnsAwayFromAnObstacleAheadOnOneSide) {
 
 TEST(FreeSteering, MayDriveAwayFromAnObstacleThatIsTooNear) {
   const std::vector<Vec2> beside = {{0.3, 0.33}};
-  EXPECT_GT(free_path(cart(), {}, beside, 0, 1).free_m, 1);
-  EXPECT_LT(free_path(cart(), {}, beside, 30 * kDegree, 1).free_m, 0.5);
+  EXPECT_GT(free_path(cart(), {}, beside, 0, Gear::kForward).free_m, 1);
+  EXPECT_LT(free_path(cart(), {}, beside, 30 * kDegree, Gear::kForward).free_m, 0.5);
 }
 
 TEST(FreeSteering, InReverseItLooksBehind) {
   const auto behind = wall({-0.75, -1}, {-0.75, 1});
-  EXPECT_NEAR(free_path(cart(), {}, behind, 0, -1).free_m, 0.4, 0.06);
-  EXPECT_DOUBLE_EQ(free_path(cart(), {}, behind, 0, 1).free_m, FreeSteeringParams{}.reach_m);
+  EXPECT_NEAR(free_path(cart(), {}, behind, 0, Gear::kReverse).free_m, 0.4, 0.06);
+  EXPECT_DOUBLE_EQ(free_path(cart(), {}, behind, 0, Gear::kForward).free_m, FreeSteeringParams{}.reach_m);
 }
 
 TEST(FreeSteering, InReverseItKeepsItsSwingingFrontOffObstacles) {
   const auto beside = wall({0.3, -0.4}, {0.95, -0.4});
-  EXPECT_LT(free_path(cart(), {}, beside, 0.3, -1).free_m, 0.15) << "the front goes to the right";
-  const SteeringChoice choice = choose_steering(cart(), {.comfort_m = 0.1}, beside, 0.3, -1);
+  EXPECT_LT(free_path(cart(), {}, beside, 0.3, Gear::kReverse).free_m, 0.15) << "the front goes to the right";
+  const SteeringChoice choice = choose_steering(cart(), {.comfort_m = 0.1}, beside, 0.3, Gear::kReverse);
   EXPECT_LT(choice.steering_rad, 0.1);
   EXPECT_GT(choice.free_m, 1);
 }
@@ -61,12 +61,12 @@ RC_GTEST_PROP(FreeSteering, NoPointIsOverlooked, ()) {
   std::vector<Vec2> points(static_cast<std::size_t>(*rc::gen::inRange(1, 40)));
   for (Vec2& p : points) p = {within(400), within(400)};
   const double steering_rad = within(70);
-  const int direction = *rc::gen::element(-1, 1);
+  const Gear gear = *rc::gen::element(Gear::kReverse, Gear::kForward);
   const SteeringChoice choice =
-      free_path(cart(), {.reach_m = 1.5, .margin_m = 0}, points, steering_rad, direction);
+      free_path(cart(), {.reach_m = 1.5, .margin_m = 0}, points, steering_rad, gear);
   double nearest_m = 10;
   for (int step = 0; step * 0.1 < choice.free_m + 0.05; ++step) {
-    const double path_m = direction * step * 0.1;
+    const double path_m = sign(gear) * step * 0.1;
     const double turn_rad = path_m * std::tan(steering_rad) / cart().front_steered.wheelbase_m;
     const Pose2 T_then_now = end_pose({path_m, turn_rad}).inverse();
     for (const Vec2& p : points)

@@ -54,12 +54,12 @@ class BuildingExplorer {
   BuildingExplorer(const ExplorerParams& params, ExploringOrder order);
 
   /// C99's step 9: encodes which paths lead on, by what is known now.
-  void look_around(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map_middle);
+  void look_around(const KnownFloor& floor, const Vec2& p_map_middle);
   /// C99's step 10: where to go next. Call it after look_around() on the same floor, of which a little more
   /// may be known by now.
   /// @param T_map_home  where the exploration began
-  ExploringTarget decide(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                         const Pose2& T_map_home, std::size_t cycle);
+  ExploringTarget decide(const KnownFloor& floor, const Pose2& T_map_vehicle, const Pose2& T_map_home,
+                         std::size_t cycle);
 
   /// The vehicle cannot get back to the crossing and goes on from where it is.
   void pass_crossing_by();

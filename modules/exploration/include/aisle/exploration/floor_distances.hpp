@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "aisle/maps/floor_clearance.hpp"
+#include "aisle/maps/known_floor.hpp"
 
 namespace aisle {
 
@@ -17,8 +17,7 @@ class FloorDistances {
   /// @param clearance_m  > 0, clearance that the vehicle's centre needs. A vehicle that is not round may
   /// start
   ///                with less: within `leeway_m` of the start it is not required.
-  void measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m,
-               double clearance_m, double leeway_m);
+  void measure(const KnownFloor& floor, const Vec2& from_m, double clearance_m, double leeway_m);
 
   /// [m]; kUnreached where no path is known.
   float to(FloorCell cell) const {

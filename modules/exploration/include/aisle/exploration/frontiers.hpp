@@ -5,7 +5,7 @@
 
 #include "aisle/core/parameters.hpp"
 #include "aisle/exploration/floor_distances.hpp"
-#include "aisle/maps/floor_clearance.hpp"
+#include "aisle/maps/known_floor.hpp"
 
 namespace aisle {
 
@@ -42,8 +42,7 @@ using CellMarks = std::vector<std::uint8_t>;
 /// All frontiers that can be reached.
 /// @param reached  measured with `params.clearance_m`
 /// @param marks  scratch memory
-std::vector<Frontier> find_frontiers(const FloorGrid& floor, const FloorClearance& clearance,
-                                     const FloorDistances& reached, const FrontierParams& params,
-                                     CellMarks& marks);
+std::vector<Frontier> find_frontiers(const KnownFloor& floor, const FloorDistances& reached,
+                                     const FrontierParams& params, CellMarks& marks);
 
 }  // namespace aisle

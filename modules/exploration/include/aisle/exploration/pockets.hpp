@@ -34,9 +34,8 @@ struct PocketParams {
 /// @param reached  measured with `frontier_params.clearance_m`
 /// @param frontiers  of the same floor
 /// @param marks  scratch memory
-std::vector<Frontier> find_pockets(const FloorGrid& floor, const FloorClearance& clearance,
-                                   const FloorDistances& reached, std::span<const Frontier> frontiers,
-                                   const FrontierParams& frontier_params, const PocketParams& params,
-                                   CellMarks& marks);
+std::vector<Frontier> find_pockets(const KnownFloor& floor, const FloorDistances& reached,
+                                   std::span<const Frontier> frontiers, const FrontierParams& frontier_params,
+                                   const PocketParams& params, CellMarks& marks);
 
 }  // namespace aisle

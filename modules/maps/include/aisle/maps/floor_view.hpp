@@ -3,6 +3,7 @@
 #include <span>
 
 #include "aisle/maps/floor_grid.hpp"
+#include "aisle/vehicle/gear.hpp"
 #include "aisle/vehicle/laser_log.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
@@ -28,9 +29,8 @@ FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const 
 /// @return a box around all cells about which more is known now
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle);
 
-/// Bumper contact: floor right in front of the vehicle (direction 1) or behind it (-1) is occupied.
+/// Bumper contact: floor right in front of the vehicle or, in reverse, behind it is occupied.
 /// @return a box around all cells that have changed
-FloorBox strike_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle,
-                      int direction);
+FloorBox strike_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle, Gear gear);
 
 }  // namespace aisle

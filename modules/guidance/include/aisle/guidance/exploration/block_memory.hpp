@@ -1,24 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
 /// Remembers where the vehicle was stopped by something that the floor map does not show.
 class BlockMemory {
  public:
-  /// The vehicle was stopped here while driving forwards (1) or backwards (-1), or touched while standing
-  /// (0).
-  void note(const Pose2& T_map_vehicle, int direction);
+  /// The vehicle was stopped here while driving in a gear, or touched while standing (nullopt).
+  void note(const Pose2& T_map_vehicle, std::optional<Gear> gear);
 
   /// Whether it was last stopped there or close by.
   bool was_at(const Pose2& T_map) const;
-  /// The next path from there must not begin forwards (1) or backwards (-1); 0: it may begin either way.
-  int blocked_direction() const { return blocked_direction_; }
+  /// The next path from there must not begin in this gear; nullopt: it may begin either way.
+  std::optional<Gear> blocked_gear() const { return blocked_gear_; }
   /// There is no other path: it may begin either way again.
-  void unblock_direction() { blocked_direction_ = 0; }
+  void unblock_gear() { blocked_gear_.reset(); }
   /// How many times in a row it was stopped on that spot.
   int times() const { return times_; }
 
@@ -30,7 +31,7 @@ class BlockMemory {
 
  private:
   Vec2 p_map_ = Vec2::Constant(1e9);
-  int blocked_direction_ = 0;
+  std::optional<Gear> blocked_gear_;
   int times_ = 0;
   std::vector<Pose2> T_map_barred_;
 };

@@ -4,10 +4,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "aisle/exploration/building_explorer.hpp"
 #include "aisle/guidance/exploration/block_memory.hpp"
+#include "aisle/guidance/exploration/bumper_contacts.hpp"
+#include "aisle/guidance/exploration/exploring_phase.hpp"
 #include "aisle/guidance/exploration/floor_learner.hpp"
+#include "aisle/guidance/exploration/learning_progress.hpp"
+#include "aisle/guidance/exploration/mission_timer.hpp"
+#include "aisle/guidance/exploration/planning_turns.hpp"
 #include "aisle/guidance/exploration/retry_budget.hpp"
 #include "aisle/guidance/exploration/target_search.hpp"
 #include "aisle/guidance/exploration/trail.hpp"
@@ -41,6 +47,7 @@ class ExplorerNavigator final : public Navigator {
   ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
                     ExploringOrder order, std::unique_ptr<ScanSource> sensor);
 
+  /// After it has given up it answers the same for ever.
   Decision step(const Observation& observation) override;
 
   const FloorLearner& learner() const { return learner_; }
@@ -50,44 +57,62 @@ class ExplorerNavigator final : public Navigator {
   ExplorationRecord record() const;
 
  private:
-  bool has_new_contact(const Observation& observation);
+  /// Whether a search is to begin.
+  enum class SearchDue { kNo, kNow, kOnceItStands };
+  /// Where the path ends that the vehicle follows, or has followed last.
+  enum class PathEnd { kElsewhere, kStage, kHome };
+
+  FloorLearner::News sense(const Observation& observation);
+  void become(ExploringEvent event) { phase_ = phase_after(phase_, event); }
+  bool has_looked_around();
+  Decision wait_for_floor();
+  Decision end(NavigatorStatus status, std::string state, std::string why);
+  std::string what_was_explored() const;
+
+  // bumper contacts
   Decision back_off(const Observation& observation);
   void note_contact();
-  void keep_trail(FloorLearner::News news);
-  void mark_coverage();
-  void think(FloorLearner::News news);
+  void be_blocked(std::optional<Gear> gear);
+
+  // where to go
+  void plan(FloorLearner::News news);
+  void begin_on_new_floor();
+  void check_path();
   void look_around();
   void choose();
+  void note_learning(const ExploringTarget& target);
+  void leave_what_costs_too_much();
+  void check_retry_budget();
+  void leave_path();
+  void give_up_mission(const std::string& why);
+
+  // how to get there
+  void search_path();
+  void search_on();
+  void want_search();
+  bool is_time_to_search() const;
   void begin_search();
+  void search_again();
+  void advance_search();
   bool may_end_at_home(const Pose2& T_map_from) const;
   void keep_off_what_blocks();
-  void search_on();
-  void search_path();
   bool was_worth_it() const;
+  void take_path();
   void find_no_path();
   bool is_shut_in() const;
   bool is_target_shut_off() const;
-  bool retreat();
-  void give_up_mission(const std::string& why);
   void count_failure();
-  void leave_path();
-  void give_path_up();
-  void note_learning(const ExploringTarget& target);
-  void check_retry_budget();
-  Decision wait_for_floor();
-  void begin_on_new_floor();
-  void take_path();
+  bool retreat();
+
+  // on the path
+  void keep_trail(FloorLearner::News news);
+  void mark_coverage();
+  Decision drive(const Observation& observation);
   void arrive();
   void shorten_path(double ahead_m);
   void drop_path();
-  void check_path();
-  bool is_stuck();
-  std::string what_was_explored() const;
-  Decision drive(const Observation& observation);
-  void be_blocked(int direction);
   std::string state_word() const;
   std::string why_it_stands() const;
-  Decision end(NavigatorStatus status, std::string state, std::string why);
 
   ExplorerNavigatorParams params_;
   VehicleDescription vehicle_;
@@ -96,40 +121,29 @@ class ExplorerNavigator final : public Navigator {
   StagedSearch search_;
   TargetSearch target_search_;
   PathDriver driver_;
-  RetryBudget retry_budget_;
   Trail trail_;
-  bool is_look_due_ = false;        ///< floor was learned since the last look around
-  bool is_choice_due_ = false;      ///< the last look around is done, the next target is to be chosen
-  bool is_turn_of_search_ = false;  ///< the target was chosen in the last cycle
+  BlockMemory blocks_;
+  BumperContacts contacts_;
+  PlanningTurns turns_;
+  MissionTimer timer_;
+  LearningProgress learning_;
+  RetryBudget retry_budget_;
+
+  ExploringPhase phase_ = ExploringPhase::kLooking;
   std::optional<ExploringTarget> target_;
   std::optional<ExploringTarget> former_;  ///< the last target, kept after its path was dropped
-  BlockMemory blocks_;
-  int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the last cycle that drove
-  bool is_in_contact_ = false;
-  bool is_contact_due_ = false;  ///< a bumper contact is to be noted as soon as the vehicle stands
-  int contacts_ = 0;
+  TargetTries tries_;                      ///< for the present target
+  bool is_out_of_reach_ = false;  ///< no pose shows the target, unless with relaxed clearance: all were tried
+  SearchDue search_due_ = SearchDue::kNo;
   Vec2 p_map_searched_ = Vec2::Zero();  ///< the frontier of the last search
   double searched_m2_ = 0;              ///< free floor when that search began
-  bool is_search_due_ = false;
-  bool is_stage_ = false;      ///< the path ends before its target
-  bool stands_first_ = false;  ///< the search that is due begins where the vehicle stops
-  bool ends_at_home_ = false;  ///< the path does
-  bool is_out_of_reach_ =
-      false;           ///< all poses were tried: none shows the target, unless it relaxes its clearance
-  TargetTries tries_;  ///< for the present target
-  bool is_retreating_ = false;  ///< it drives back along its trail
-  int last_retreats_ = 0;       ///< retreats made as a last resort
-  bool is_wedged_ = false;      ///< no path leads away from where the vehicle stands
-  std::size_t arrived_cycle_ = 0;
+  bool is_wedged_ = false;              ///< that search found no path away from where the vehicle stands
+  PathEnd path_end_ = PathEnd::kElsewhere;
+  int last_retreats_ = 0;  ///< retreats made as a last resort
   std::size_t cycle_ = 0;
-  std::optional<double> begun_s_;
-  double stamp_s_ = 0;
-  double moved_s_ = 0;
-  double learned_m2_ = 0;      ///< free floor when new floor last renewed the retry budget
-  double learned_path_m_ = 0;  ///< distance travelled until then
+  std::size_t arrived_cycle_ = 0;
   std::vector<CoverageMark> coverage_;
-  std::string ended_because_;
-  bool came_home_ = false;
+  Decision ended_;  ///< once it is over: what it answered
 };
 
 }  // namespace aisle

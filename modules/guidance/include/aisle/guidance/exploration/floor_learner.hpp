@@ -6,8 +6,8 @@
 
 #include "aisle/guidance/exploration/scan_source.hpp"
 #include "aisle/learning/walls/online_mapping.hpp"
-#include "aisle/maps/floor_clearance.hpp"
 #include "aisle/maps/floor_view.hpp"
+#include "aisle/maps/known_floor.hpp"
 
 namespace aisle {
 
@@ -38,9 +38,9 @@ class FloorLearner {
 
   News take(const Observation& observation);
 
-  /// The bumper touched something that no scan shows, at the front (1) or at the rear (-1): the floor shows
-  /// it as occupied from now on. Only after the first scan.
-  void add_contact(int direction);
+  /// The bumper touched something that no scan shows, at the front or, in reverse, at the rear: the floor
+  /// shows it as occupied from now on. Only after the first scan.
+  void add_contact(Gear gear);
 
   /// The vehicle is back home: matches its first scan with the walls that it has seen last, and corrects
   /// `T_map_home`. Only after the first scan.
@@ -54,8 +54,7 @@ class FloorLearner {
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const Pose2& T_map_home() const { return T_map_home_; }  ///< start pose, by what is known now
   bool has_looked() const { return !looks_.empty(); }
-  const FloorGrid& floor() const { return floor_; }
-  const FloorClearance& clearance() const { return clearance_; }
+  const KnownFloor& floor() const { return floor_; }
   const ScanSource& sensor() const { return *sensor_; }
   /// The floor is out of date until it is rebuilt: the vehicle must stand.
   bool is_rebuilding() const { return rebuild_.has_value(); }
@@ -82,14 +81,12 @@ class FloorLearner {
   struct Contact {
     std::size_t scan_index = 0;  ///< last scan before it ...
     Pose2 T_scan_vehicle;        ///< ... and the vehicle's motion since
-    int direction = 0;
+    Gear gear = Gear::kForward;
     Pose2 T_map_put;  ///< vehicle pose with which it was added
   };
   /// The floor after a loop closure, or with narrower cells, while it is being built.
   struct Rebuild {
-    Rebuild(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(legs, far_m) {}
-    FloorGrid floor;
-    FloorClearance clearance;
+    KnownFloor floor;
     std::size_t next = 0;  ///< index in `looks_`
   };
 
@@ -102,13 +99,13 @@ class FloorLearner {
   bool places_moved();
   void begin_rebuild();
   bool continue_rebuild();
+  FloorBox put_contacts_again(FloorGrid& grid);
 
   FloorLearnerParams params_;
   VehicleDescription vehicle_;
   std::unique_ptr<ScanSource> sensor_;
   OnlineMapping mapping_;
-  FloorGrid floor_;
-  FloorClearance clearance_;
+  KnownFloor floor_;
   std::optional<Rebuild> rebuild_;
   double cell_m_;
   std::vector<Pose2> T_map_of_all_;  ///< one per scan, when the floor was last rebuilt

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "aisle/exploration/frontiers.hpp"
-#include "aisle/maps/floor_clearance.hpp"
+#include "aisle/maps/known_floor.hpp"
 #include "aisle/vehicle/laser_log.hpp"
 
 namespace aisle {
@@ -18,8 +18,7 @@ struct FrontierLook {
 
 /// Whether at least `enough` points of a frontier's edge would be seen from there: within reach, inside the
 /// scan's field of view, and with neither obstacles nor unknown floor in between.
-/// @param clearance  of `floor`; lets the ray casting skip over free floor
-bool sees_frontier(const FrontierLook& look, const FloorGrid& floor, const FloorClearance& clearance,
-                   const Pose2& T_map_vehicle, const Frontier& frontier, std::size_t enough);
+bool sees_frontier(const FrontierLook& look, const KnownFloor& floor, const Pose2& T_map_vehicle,
+                   const Frontier& frontier, std::size_t enough);
 
 }  // namespace aisle

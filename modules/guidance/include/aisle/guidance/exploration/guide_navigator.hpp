@@ -14,6 +14,7 @@
 #include "aisle/learning/walls/wall_localiser.hpp"
 #include "aisle/maps/building.hpp"
 #include "aisle/maps/floor_view.hpp"
+#include "aisle/maps/known_floor.hpp"
 
 namespace aisle {
 
@@ -60,7 +61,7 @@ class GuideNavigator final : public Navigator {
   /// The path that it follows; empty while it stands.
   const Path& path() const { return driver_.path(); }
   /// The floor as it is known now.
-  const FloorGrid& floor() const { return floor_; }
+  const KnownFloor& floor() const { return floor_; }
 
  private:
   void locate(const Observation& observation);
@@ -78,8 +79,7 @@ class GuideNavigator final : public Navigator {
   std::unique_ptr<ScanSource> sensor_;
   WallLocaliser localiser_;
   bool has_barriers_;
-  FloorGrid floor_;
-  FloorClearance clearance_;
+  KnownFloor floor_;
   StagedSearch search_;
   PathDriver driver_;
   std::vector<Vec2> p_map_places_;
@@ -94,8 +94,8 @@ class GuideNavigator final : public Navigator {
   double progress_s_ = 0;                      ///< when it last got on
   Vec2 p_map_progress_ = Vec2::Constant(1e9);  ///< where that was
   double searched_s_ = 0;
-  int blocked_direction_ = 0;       ///< in which the vehicle could just not go on: forwards 1, backwards -1
-  bool relaxes_clearance_ = false;  ///< through less room, as the search before found no path
+  std::optional<Gear> blocked_gear_;  ///< in which the vehicle could just not go on
+  bool relaxes_clearance_ = false;    ///< through less room, as the search before found no path
   std::size_t ways_closed_ = 0;
 };
 

@@ -17,11 +17,9 @@ class HomeSearch {
   HomeSearch& operator=(const HomeSearch&) = delete;
 
   /// Begins the search for a path that ends exactly at home, or for the next stage of it.
-  void look_for(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_home,
-                const Pose2& T_map_from);
+  void look_for(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from);
   /// Begins the search for a path that ends near home.
-  void look_for_near(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_home,
-                     const Pose2& T_map_from);
+  void look_for_near(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from);
 
   /// Whether the path found or searched for ends exactly at home.
   bool leads_home() const { return is_exact_ && !search_.is_stage(); }
@@ -29,7 +27,7 @@ class HomeSearch {
   Path path() const;
 
  private:
-  Arc run_in(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_from) const;
+  Arc run_in(const KnownFloor& floor, const Pose2& T_map_from) const;
   Pose2 T_map_run_in() const { return T_map_home_ * end_pose(run_in_).inverse(); }
 
   StagedSearch& search_;

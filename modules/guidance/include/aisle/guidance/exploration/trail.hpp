@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "aisle/control/path.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -36,8 +38,8 @@ class Trail {
   };
 
   std::vector<Mark> marks_;
-  Mark latest_;        ///< where the vehicle was a cycle ago
-  int direction_ = 0;  ///< in which it drove last: forwards 1, backwards -1
+  Mark latest_;               ///< where the vehicle was a cycle ago
+  std::optional<Gear> gear_;  ///< in which it drove last
 };
 
 }  // namespace aisle

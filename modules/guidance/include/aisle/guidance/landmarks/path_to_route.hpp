@@ -5,7 +5,7 @@
 #include "aisle/guidance/obstacles/path_ahead.hpp"
 #include "aisle/guidance/paths/car_search.hpp"
 #include "aisle/guidance/paths/path_driver.hpp"
-#include "aisle/maps/floor_clearance.hpp"
+#include "aisle/maps/known_floor.hpp"
 
 namespace aisle {
 
@@ -21,9 +21,9 @@ class PathToRoute {
   };
 
   /// @param speed  on the path to the route
-  /// @param floor  as known now, in its own frame; copied, as is `clearance`
+  /// @param floor  as known now, in its own frame; copied
   PathToRoute(const VehicleDescription& vehicle, const SteeringParams& steering, const SpeedParams& speed,
-              const FloorGrid& floor, const FloorClearance& clearance);
+              const KnownFloor& floor);
 
   /// @param T_map_floor    pose of that frame
   /// @param T_map_vehicle  pose of the standing vehicle
@@ -42,8 +42,7 @@ class PathToRoute {
   double left_m(const Vec2& p_floor) const;
   State search();
 
-  FloorGrid floor_;
-  FloorClearance clearance_;
+  KnownFloor floor_;
   CarSearch search_;
   PathDriver driver_;
   Pose2 T_floor_map_;

@@ -23,21 +23,20 @@ class BrakingClearance {
   bool is_off_hit(const Pose2& T_vehicle_later) const;
 
   /// @param steering_rad  present steering angle
-  bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-               const Command& command, double steering_rad) const;
+  bool is_free(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
+               double steering_rad) const;
 
   /// The same on the vehicle's own trail: only the floor under its footprint must be free. Obstacles beside
   /// it do not matter, as the floor may show them thicker than they are; laser returns may be nearer, as the
   /// vehicle has passed them before.
-  bool is_free_on_trail(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                        const Command& command, double steering_rad) const;
+  bool is_free_on_trail(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
+                        double steering_rad) const;
 
  private:
   bool is_off_hit(const Pose2& T_vehicle_later, double margin_m) const;
   template <class IsFreeAt>
   bool is_free_until_stopped(const Command& command, double steering_rad, IsFreeAt is_free_at) const;
-  bool is_free_at(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                  const Pose2& T_vehicle_later) const;
+  bool is_free_at(const KnownFloor& floor, const Pose2& T_map_vehicle, const Pose2& T_vehicle_later) const;
   double stopping_path_m(double speed_mps) const;
   double hit_m(const Pose2& T_vehicle_later) const;
 

@@ -14,6 +14,7 @@
 #include "aisle/core/parameters.hpp"
 #include "aisle/exploration/floor_distances.hpp"
 #include "aisle/guidance/paths/footprint_clearance.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -56,9 +57,9 @@ class CarSearch {
   void look_for_path_to_any(IsGoal is_good, const FloorBox& places, const Pose2& T_map_vehicle,
                             std::function<double(const Vec2&)> left_m);
 
-  /// For the search that was begun: the path must not begin forwards (1) or backwards (-1), because something
-  /// stands there that the floor does not show.
-  void forbid_first(int direction) { forbidden_first_ = direction; }
+  /// For the search that was begun: the path must not begin in this gear, because something stands there that
+  /// the floor does not show. nullopt: it may begin either way.
+  void forbid_first(std::optional<Gear> gear) { forbidden_first_ = gear; }
 
   /// For the search that was begun: only poses that pass this test are used, whatever the floor shows.
   void keep_to(std::function<bool(const Pose2& T_map_vehicle)> is_free) { is_free_ = std::move(is_free); }
@@ -68,7 +69,7 @@ class CarSearch {
   void relax_clearance() { relaxes_clearance_ = true; }
 
   /// Goes on for up to `expansions` poses; fewer where one takes longer.
-  State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
+  State advance(const KnownFloor& floor, int expansions);
 
   /// Ends the search without a path.
   void stop() { state_ = State::kIdle; }
@@ -115,14 +116,14 @@ class CarSearch {
   void begin_at(const Pose2& T_map);
   bool is_begin(std::size_t node) const { return nodes_[node].parent == node; }
   bool has_ends_left() const { return ends_.contains(next_end_); }
-  int gather_ends(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
-  int gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map);
+  int gather_ends(const KnownFloor& floor, int expansions);
+  int gather_ends_at(const KnownFloor& floor, const Vec2& p_map);
   bool is_leaving(const Pose2& T_map) const;
+  bool is_forbidden_first(const Arc& arc) const;
   bool is_found(const Node& node) const;
-  void expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node);
-  void try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from, const Move& move);
-  std::optional<double> least_clearance_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                          const Pose2& T_map_from,
+  void expand(const KnownFloor& floor, std::size_t node);
+  void try_move(const KnownFloor& floor, std::size_t from, const Move& move);
+  std::optional<double> least_clearance_m(const KnownFloor& floor, const Pose2& T_map_from,
                                           std::span<const Pose2> T_from_passed) const;
   double cost_of(const Arc& arc, const Arc& before, bool is_first, double clearance_m) const;
   std::uint64_t bin_of(const Pose2& T_map) const;
@@ -142,7 +143,7 @@ class CarSearch {
   int expansions_ = 0;
   double reached_m_ = 0;
   RelaxedClearance leave_clearance_;  ///< at that pose
-  int forbidden_first_ = 0;
+  std::optional<Gear> forbidden_first_;
   bool relaxes_clearance_ = false;
   std::function<bool(const Pose2&)> is_free_;
   std::vector<Node> nodes_;

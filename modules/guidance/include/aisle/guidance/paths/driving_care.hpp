@@ -10,7 +10,6 @@ namespace aisle {
 /// @param steering_rad  present steering angle
 /// @return from 0.3 to 1
 double driving_care(const VehicleDescription& vehicle, const FootprintClearance& footprint_clearance,
-                    const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double along_m,
-                    double steering_rad);
+                    const KnownFloor& floor, const Path& path, double along_m, double steering_rad);
 
 }  // namespace aisle

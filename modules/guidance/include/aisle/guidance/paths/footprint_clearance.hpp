@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "aisle/control/path.hpp"
-#include "aisle/maps/floor_clearance.hpp"
+#include "aisle/maps/known_floor.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
 namespace aisle {
@@ -24,39 +24,34 @@ class FootprintClearance {
  public:
   FootprintClearance(const Footprint& footprint, double margin_m);
 
-  bool fits(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const {
-    return clearance_m(floor, clearance, T_map_vehicle, 0) >= 0;
+  bool fits(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
+    return clearance_m(floor, T_map_vehicle, 0) >= 0;
   }
   /// Clearance beyond the margin; negative: too little. A result below `enough_m` is only an upper bound.
-  double clearance_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+  double clearance_m(const KnownFloor& floor, const Pose2& T_map_vehicle,
                      double enough_m = -std::numeric_limits<double>::infinity()) const;
 
   /// The same, to occupied floor only.
-  double standing_clearance_m(const FloorGrid& floor, const FloorClearance& clearance,
-                              const Pose2& T_map_vehicle) const;
-  RelaxedClearance relaxed_clearance(const FloorGrid& floor, const FloorClearance& clearance,
-                                     const Pose2& T_map_vehicle) const {
-    return {clearance_m(floor, clearance, T_map_vehicle),
-            standing_clearance_m(floor, clearance, T_map_vehicle)};
+  double standing_clearance_m(const KnownFloor& floor, const Pose2& T_map_vehicle) const;
+  RelaxedClearance relaxed_clearance(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
+    return {clearance_m(floor, T_map_vehicle), standing_clearance_m(floor, T_map_vehicle)};
   }
   /// Whether at least the whole footprint lies on known free floor, with its margin or else no less clearance
   /// than `least`, but for noise. At its start a vehicle has not seen the floor beside it, and in a narrow
   /// place it may have come nearer to something than it would plan to.
-  bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                   const RelaxedClearance& least) const {
-    return fits_barely(floor, clearance, T_map_vehicle, clearance_m(floor, clearance, T_map_vehicle), least);
+  bool fits_barely(const KnownFloor& floor, const Pose2& T_map_vehicle, const RelaxedClearance& least) const {
+    return fits_barely(floor, T_map_vehicle, clearance_m(floor, T_map_vehicle), least);
   }
   /// The same when `clearance_m` is known already, at least as exactly as `least` needs it.
-  bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                   double clearance_m, const RelaxedClearance& least) const;
+  bool fits_barely(const KnownFloor& floor, const Pose2& T_map_vehicle, double clearance_m,
+                   const RelaxedClearance& least) const;
 
   /// Whether the whole footprint lies on known free floor.
-  bool lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
-                    const Pose2& T_map_vehicle) const;
+  bool lies_on_free(const KnownFloor& floor, const Pose2& T_map_vehicle) const;
 
   /// How far the vehicle fits along a path from `from_m` on, where need be barely, with clearance `least`; at
   /// most to the path's end.
-  double free_path_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double from_m,
+  double free_path_m(const KnownFloor& floor, const Path& path, double from_m,
                      const RelaxedClearance& least) const;
 
  private:
@@ -71,8 +66,8 @@ class FootprintClearance {
 
   void cover(const Piece& piece, const Vec2& size_max_m, std::vector<Disc>& discs) const;
   template <class DistanceAt>
-  double least_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                 double enough_m, DistanceAt distance_at) const;
+  double least_m(const KnownFloor& floor, const Pose2& T_map_vehicle, double enough_m,
+                 DistanceAt distance_at) const;
 
   Footprint footprint_;
   double margin_m_;

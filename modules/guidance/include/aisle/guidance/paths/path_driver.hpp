@@ -9,6 +9,7 @@
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/paths/braking_clearance.hpp"
 #include "aisle/vehicle/command.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -25,7 +26,7 @@ class PathDriver {
   struct Step {
     State state = State::kNoPath;
     Command command;
-    int direction = 0;  ///< in which it drives, or would: forwards 1, backwards -1
+    std::optional<Gear> gear = {};  ///< in which it drives, or would; known when driving or blocked
   };
 
   PathDriver(const VehicleDescription& vehicle, const SteeringParams& steering, const SpeedParams& speed);
@@ -52,16 +53,16 @@ class PathDriver {
   bool is_off_hit(const Pose2& T_vehicle_later) const { return braking_.is_off_hit(T_vehicle_later); }
 
   /// How much of the path ahead is free, by what is known now; at most left_m().
-  double free_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const;
+  double free_m(const KnownFloor& floor, const Pose2& T_map_vehicle) const;
 
   /// @param footprint_clearance  has the margin that the vehicle should keep; with less it slows down
   /// @param steering_rad         present steering angle
-  Step drive(const FloorGrid& floor, const FloorClearance& clearance,
-             const FootprintClearance& footprint_clearance, const Pose2& T_map_vehicle, double steering_rad);
+  Step drive(const KnownFloor& floor, const FootprintClearance& footprint_clearance,
+             const Pose2& T_map_vehicle, double steering_rad);
 
  private:
-  bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-               const Command& command, double steering_rad) const;
+  bool is_free(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
+               double steering_rad) const;
   std::optional<double> wheels_to_turn_rad(const PathPoint& point, double followed_rad, double steering_rad);
 
   VehicleDescription vehicle_;

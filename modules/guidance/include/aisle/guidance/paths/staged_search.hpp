@@ -19,22 +19,21 @@ class StagedSearch {
 
   /// Searches for a path to any goal pose near a place. The floor must outlive the search.
   /// @param about_m  how far from the place goal poses may lie
-  void look_for(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                const Vec2& p_map_place, double about_m, CarSearch::IsGoal is_goal);
+  void look_for(const KnownFloor& floor, const Pose2& T_map_vehicle, const Vec2& p_map_place, double about_m,
+                CarSearch::IsGoal is_goal);
 
   /// For the search that look_for() began, to be called before any other setting: if it finds no path soon, a
   /// second search runs backwards from all goal poses in a box.
   void search_from_ends_too(const FloorBox& places);
 
   /// Searches for a path that ends exactly at a pose; farther away than a stage, for its first stage.
-  void look_for_path_to(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_goal,
-                        const Pose2& T_map_vehicle);
+  void look_for_path_to(const KnownFloor& floor, const Pose2& T_map_goal, const Pose2& T_map_vehicle);
 
   /// For the search that was begun; see CarSearch.
   void keep_to(const std::function<bool(const Pose2& T_map_vehicle)>& is_free);
-  void forbid_first(int direction);
+  void forbid_first(std::optional<Gear> gear);
   void relax_clearance();
-  CarSearch::State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
+  CarSearch::State advance(const KnownFloor& floor, int expansions);
   void stop();
 
   CarSearch::State state() const;
@@ -60,10 +59,10 @@ class StagedSearch {
     Vec2 p_map_place = Vec2::Zero();
   };
 
-  double measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map_from,
-                 const Vec2& p_map_place, Guide& guide) const;
+  double measure(const KnownFloor& floor, const Vec2& p_map_from, const Vec2& p_map_place,
+                 Guide& guide) const;
   double left_m(const Guide& guide, const Vec2& p_map) const;
-  void begin(const FloorGrid& floor, const Pose2& T_map_vehicle);
+  void begin(const KnownFloor& floor, const Pose2& T_map_vehicle);
   bool is_turn_of_ends() const;
   bool is_found_from_ends() const { return from_ends_.state() == CarSearch::State::kFound; }
 
@@ -73,7 +72,7 @@ class StagedSearch {
   CarSearch from_ends_;
   CarSearch::IsGoal is_goal_;
   Pose2 T_map_vehicle_;
-  const FloorGrid* floor_ = nullptr;
+  const FloorGrid* grid_ = nullptr;
   Guide to_place_;
   std::optional<Guide> to_vehicle_;  ///< for the search from the ends, once it runs
   bool ends_are_shut_off_ = false;

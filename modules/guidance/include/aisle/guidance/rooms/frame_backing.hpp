@@ -87,8 +87,7 @@ class FrameBacking {
   CarSearch search_;
   PathDriver driver_;
   PathFollower follower_;
-  FloorGrid floor_;
-  FloorClearance clearance_;
+  KnownFloor floor_;
   Pose2 T_floor_odom_, T_odom_vehicle_, T_odom_frame_;
   double steering_rad_ = 0;
   double run_up_m_ = 0;

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "aisle/core/parameters.hpp"
+#include "aisle/vehicle/gear.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
 namespace aisle {
@@ -28,14 +29,13 @@ struct SteeringChoice {
 
 /// How far a front-steered vehicle gets with a constant steering angle.
 /// @param p_vehicle  obstacle points around it, in base_link
-/// @param direction  1: forwards, -1: backwards
 SteeringChoice free_path(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                         std::span<const Vec2> p_vehicle, double steering_rad, int direction);
+                         std::span<const Vec2> p_vehicle, double steering_rad, Gear gear);
 
 /// The best compromise between a steering angle near the requested one, a long free path, and clearance.
 /// @param p_vehicle  obstacle points around it, in base_link
-/// @param direction  1: forwards, -1: backwards
 SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                               std::span<const Vec2> p_vehicle, double requested_rad, int direction = 1);
+                               std::span<const Vec2> p_vehicle, double requested_rad,
+                               Gear gear = Gear::kForward);
 
 }  // namespace aisle
