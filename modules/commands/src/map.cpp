@@ -13,11 +13,14 @@
 #include "aisle/formats/logs/read_laser_recording.hpp"
 #include "aisle/formats/logs/relations.hpp"
 #include "aisle/formats/logs/trajectory.hpp"
+#include "aisle/learning/walls/log_correction.hpp"
 #include "aisle/learning/walls/map_building.hpp"
+#include "aisle/learning/walls/map_judgement.hpp"
 #include "aisle/learning/walls/published_mapping.hpp"
 #include "aisle/learning/walls/relation_error.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "aisle/report/occupancy.hpp"
+#include "learned_files.hpp"
 #include "rounded.hpp"
 
 namespace aisle {
@@ -34,17 +37,26 @@ Json error_figures(const RelationError& error) {
           {"rotation_deg", mean_and_std(error.rotation_rad, kDegree)}};
 }
 
-Json stage_figures(const std::vector<MapStage>& stages, const std::vector<PoseRelation>& relations) {
+/// The errors of a trajectory at the point of the vehicle that the relations are of.
+Json errors_at(const Pose2& T_vehicle_relations, std::vector<Pose2> T_map_vehicle,
+               const std::vector<PoseRelation>& relations) {
+  for (Pose2& pose : T_map_vehicle) pose = pose * T_vehicle_relations;
+  return error_figures(relation_error(T_map_vehicle, relations));
+}
+
+Json stage_figures(const std::vector<MapStage>& stages, const std::vector<PoseRelation>& relations,
+                   const Pose2& T_vehicle_relations) {
   Json figures = Json::array();
   for (const MapStage& stage : stages) {
     Json row = {{"stage", stage.name}, {"walls", stage.walls}, {"cpu_s", rounded(stage.cpu_s, 2)}};
-    if (!relations.empty()) row.update(error_figures(relation_error(stage.T_map_vehicle, relations)));
+    if (!relations.empty()) row.update(errors_at(T_vehicle_relations, stage.T_map_vehicle, relations));
     figures.push_back(row);
   }
   return figures;
 }
 
-Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<PoseRelation>& relations) {
+Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<PoseRelation>& relations,
+                const Pose2& T_vehicle_relations) {
   const double cpu_s = process_cpu_s();
   const double duration_s = log.scans.back().time_s - log.scans.front().time_s;
   Json figures = {{"scans", log.scans.size()},
@@ -58,12 +70,56 @@ Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<
                   {"realtime_factor", rounded(duration_s / cpu_s, 1)},
                   {"peak_rss_mb", rounded(process_peak_rss_mb(), 1)}};
   if (relations.empty()) return figures;
-  figures["relations"] = {{"count", relations.size()}};
-  figures.update(error_figures(relation_error(result.T_map_vehicle, relations)));
-  if (!result.T_map_vehicle_online.empty()) {
-    figures["online"] = error_figures(relation_error(result.T_map_vehicle_online, relations));
-  }
+  figures["relations"] = {{"count", relations.size()},
+                          {"frame_x_m", rounded(T_vehicle_relations.x, 4)},
+                          {"frame_y_m", rounded(T_vehicle_relations.y, 4)}};
+  figures.update(errors_at(T_vehicle_relations, result.T_map_vehicle, relations));
+  if (!result.T_map_vehicle_online.empty())
+    figures["online"] = errors_at(T_vehicle_relations, result.T_map_vehicle_online, relations);
   return figures;
+}
+
+const char* name_of(Trust trust) {
+  return trust == Trust::kGood ? "good" : trust == Trust::kDoubtful ? "doubtful" : "poor";
+}
+
+/// How far the map can be trusted, with the reason.
+void add_trust(const MapJudgement& judgement, Outcome& outcome) {
+  const Trust trust = trust_in(judgement);
+  outcome.ok = trust != Trust::kPoor;
+  const std::string reason = fmt::format(
+      "{:.0f} % of the readings end on a wall of the map, {:.1f} % would have to pass through one",
+      100 * judgement.fit_share, 100 * judgement.pass_share);
+  outcome.figures["trust"] = name_of(trust);
+  outcome.figures["trust_reason"] = reason;
+  outcome.figures["scan_fit_share"] = rounded(judgement.fit_share, 4);
+  outcome.figures["scan_pass_share"] = rounded(judgement.pass_share, 4);
+  outcome.text += fmt::format("trust: {} ({})\n", name_of(trust), reason);
+}
+
+/// A log with the warnings about it, as far as the recording and its scans settle it.
+struct SettledLog {
+  LaserLog log;
+  Problems warnings;
+  KnownOfLog known;
+};
+
+Result<SettledLog> read_and_settle(const MapOptions& options, Console& console) {
+  auto read = read_laser_recording(options.log, options.reading);
+  if (!read) return read.problems();
+  SettledLog settled{std::move(read->log), std::move(read->warnings), {options.odometry_delay_s, true}};
+  if (options.rules == MapRules::kPublished) {
+    if (settled.log.odometry.empty())
+      return Problem{{options.log.string()}, "has no odometry; the published rules cannot do without"};
+    return settled;
+  }
+  settled.known.mounting = read->has_mounting || options.reading.T_vehicle_laser.has_value();
+  auto findings = correct_log(settled.log, {!settled.known.mounting, read->other_beams}, console.progress);
+  if (!findings) return at_file(findings.problems(), options.log.string());
+  for (Problem& warning : at_file(findings->warnings, options.log.string()))
+    settled.warnings.push_back(std::move(warning));
+  if (findings->odometry_by_scans) settled.known = {0.0, true};
+  return settled;
 }
 
 /// The rows above the refined rules in the table of stages: odometry, the published rules, and these with one
@@ -172,10 +228,9 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
   const Problems more = options.parameters.apply_to(fields);
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) return problems;
-  const auto read = read_laser_recording(options.log, options.reading);
-  if (!read) return read.problems();
-  for (const Problem& warning : read->warnings) console.warn(to_string(warning));
-  const LaserLog& log = read->log;
+  auto settled = read_and_settle(options, console);
+  if (!settled) return settled.problems();
+  LaserLog& log = settled->log;
   std::vector<PoseRelation> relations;
   if (options.relations) {
     auto found = read_relations(*options.relations, log);
@@ -188,20 +243,33 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
   if (!directory) return directory.problems();
 
   const MapResult result = options.rules == MapRules::kRefined
-                               ? build_map(log, params, {.odometry_delay_s = options.odometry_delay_s},
-                                           options.stages, console.progress)
+                               ? build_map(log, params, settled->known, options.stages, console.progress)
                                : build_published_map(log, params.segments, PublishedParams{},
                                                      options.odometry_delay_s.value_or(0), console.progress);
 
   Outcome outcome{.verb = "map"};
-  outcome.figures = figures_of(result, log, relations);
+  log.laser().T_vehicle_laser = result.T_vehicle_laser;
+  const bool is_given = options.reading.T_vehicle_laser.has_value();
+  const Pose2 T_vehicle_relations =
+      relations.empty() || is_given ? Pose2{} : frame_of_relations(result.T_map_vehicle, relations);
+  if (T_vehicle_relations.position().norm() > 0) {
+    settled->warnings.push_back({{options.relations->string()},
+                                 fmt::format("the relations are of a point {:.3f} m ahead of and {:.3f} m "
+                                             "left of the vehicle's origin by the "
+                                             "odometry; the errors are taken there",
+                                             T_vehicle_relations.x, T_vehicle_relations.y)});
+  }
+  for (const Problem& warning : settled->warnings) console.warn(to_string(warning));
+  outcome.figures = figures_of(result, log, relations, T_vehicle_relations);
   if (options.stages) {
     std::vector<MapStage> stages =
         published_stages(log, params.segments, result.odometry_delay_s, console.progress);
     stages.insert(stages.end(), result.stages.begin(), result.stages.end());
-    outcome.figures["stages"] = stage_figures(stages, relations);
+    outcome.figures["stages"] = stage_figures(stages, relations, T_vehicle_relations);
   }
   outcome.text = mapping_text(outcome.figures);
+  add_trust(judge_map(result.walls, log, result.T_map_vehicle), outcome);
+  outcome.figures["warnings"] = warnings_json(settled->warnings);
   if (*directory) {
     auto written = write_results(result, log, title_of(options.log), **directory);
     if (!written) return written.problems();

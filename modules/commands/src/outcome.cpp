@@ -2,6 +2,13 @@
 
 namespace aisle {
 
+nlohmann::ordered_json warnings_json(const Problems& warnings) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Problem& warning : warnings)
+    json.push_back({{"where", to_string(warning.where)}, {"what", warning.what}});
+  return json;
+}
+
 std::string to_json(const Outcome& outcome) {
   const nlohmann::ordered_json json = {
       {"verb", outcome.verb}, {"ok", outcome.ok}, {"figures", outcome.figures}, {"files", outcome.files}};

@@ -2,15 +2,16 @@
 
 namespace aisle {
 
+std::string to_string(const Place& place) {
+  std::string text = place.file;
+  if (!text.empty() && place.line > 0) text += ":" + std::to_string(place.line);
+  if (!text.empty() && !place.key.empty()) text += ": ";
+  return text + place.key;
+}
+
 std::string to_string(const Problem& problem) {
-  std::string text;
-  if (!problem.where.file.empty()) {
-    text += problem.where.file;
-    if (problem.where.line > 0) text += ":" + std::to_string(problem.where.line);
-    text += ": ";
-  }
-  if (!problem.where.key.empty()) text += problem.where.key + ": ";
-  return text + problem.what;
+  const std::string where = to_string(problem.where);
+  return where.empty() ? problem.what : where + ": " + problem.what;
 }
 
 std::string to_string(const Problems& problems) {

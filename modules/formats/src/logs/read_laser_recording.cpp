@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "aisle/formats/bags/bag_reader.hpp"
 #include "aisle/formats/bags/laser_bag.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
 #include "aisle/formats/logs/laser_csv.hpp"

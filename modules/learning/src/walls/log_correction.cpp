@@ -60,7 +60,10 @@ class LogCorrection {
       : log_(log), open_(open), progress_(progress) {}
 
   Result<LogFindings> run() {
-    if (log_.scans.size() < 2) return LogFindings{};
+    if (log_.scans.size() < 2) {
+      if (log_.odometry.empty()) log_.odometry.push_back({log_.scans.front().time_s, {}, 0});
+      return LogFindings{};
+    }
     sample_ = sample_motion(log_, std::nullopt);
     if (has_no_odometry()) return replace_odometry();
     if (is_telling()) {

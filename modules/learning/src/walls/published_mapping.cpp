@@ -66,6 +66,7 @@ class PublishedMapper {
     MapResult result;
     const Pose2 T_sensor_vehicle = log_.laser().T_vehicle_laser.inverse();
     for (const Pose2& pose : trajectory_) result.T_map_vehicle.push_back(pose * T_sensor_vehicle);
+    result.T_vehicle_laser = log_.laser().T_vehicle_laser;
     result.T_map_vehicle_online = result.T_map_vehicle;
     result.path_m = path_m_;
     result.odometry_delay_s = delay_s_;

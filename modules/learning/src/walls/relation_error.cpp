@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "aisle/learning/walls/scanner_calibration.hpp"
+
 namespace aisle {
 namespace {
 
@@ -17,7 +19,25 @@ MeanAndDeviation statistics(const std::vector<double>& values) {
   return result;
 }
 
+constexpr double kShortRelation_m = 3;  // the errors of longer ones hide where the frame sits
+
 }  // namespace
+
+Pose2 frame_of_relations(std::span<const Pose2> T_map_vehicle, std::span<const PoseRelation> relations) {
+  std::vector<MotionPair> pairs;
+  for (const PoseRelation& relation : relations) {
+    if (relation.T_1_2.position().norm() > kShortRelation_m) continue;
+    MotionPair pair;
+    pair.laser = relation.T_1_2;
+    pair.information = 1e4 * Mat3::Identity();
+    pair.vehicle = between(T_map_vehicle[relation.scan_1], T_map_vehicle[relation.scan_2]);
+    pairs.push_back(pair);
+  }
+  const auto found = find_mounting(pairs);
+  if (!found) return {};
+  const Pose2 frame = significant(*found, Pose2{});
+  return {frame.x, frame.y, 0};
+}
 
 RelationError relation_error(std::span<const Pose2> T_map_vehicle, std::span<const PoseRelation> relations) {
   std::vector<double> translations_m, rotations_rad;

@@ -20,6 +20,9 @@ struct Outcome {
   std::string text;                          ///< for people
 };
 
+/// [{"where": ..., "what": ...}]: how every verb reports warnings in its figures.
+nlohmann::ordered_json warnings_json(const Problems& warnings);
+
 /// {"verb": ..., "ok": ..., "figures": {...}, "files": {...}} on one line.
 std::string to_json(const Outcome& outcome);
 

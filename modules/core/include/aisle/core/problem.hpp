@@ -20,6 +20,9 @@ struct Problem {
 
 using Problems = std::vector<Problem>;
 
+/// "file:line: key"; empty if the place is not known.
+std::string to_string(const Place& place);
+
 /// "file:line: key: what"
 std::string to_string(const Problem& problem);
 

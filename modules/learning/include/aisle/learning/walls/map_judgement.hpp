@@ -14,6 +14,11 @@ struct MapJudgement {
   std::size_t readings = 0;
 };
 
+enum class Trust { kGood, kDoubtful, kPoor };
+
+/// How far the map can be trusted. In a map that is torn or drawn twice, beams pass through walls.
+Trust trust_in(const MapJudgement& judgement);
+
 /// @param T_map_vehicle  one per scan
 MapJudgement judge_map(const WallMap& walls, const LaserLog& log, std::span<const Pose2> T_map_vehicle);
 

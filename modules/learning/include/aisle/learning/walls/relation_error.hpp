@@ -20,6 +20,11 @@ struct RelationError {
   MeanAndDeviation rotation_rad;
 };
 
+/// Where the frame of the relations sits on the vehicle: the logs they were made of may give the poses of
+/// another point, such as the laser. Found as a scanner's mounting is; only a position that is known to
+/// differ from the vehicle's by three standard deviations and 2 cm, else the identity.
+Pose2 frame_of_relations(std::span<const Pose2> T_map_vehicle, std::span<const PoseRelation> relations);
+
 /// The relations' scans must be indices of the trajectory.
 RelationError relation_error(std::span<const Pose2> T_map_vehicle, std::span<const PoseRelation> relations);
 
