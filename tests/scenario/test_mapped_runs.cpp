@@ -29,7 +29,7 @@ bool are_same(const Pose2& a, const Pose2& b) {
 /// The first scans of a log, with what had been recorded by then.
 LaserLog beginning_of(const LaserLog& log, std::size_t scans) {
   LaserLog beginning{
-      log.laser(), {log.scans.begin(), log.scans.begin() + static_cast<std::ptrdiff_t>(scans)}, {}};
+      log.lasers, {log.scans.begin(), log.scans.begin() + static_cast<std::ptrdiff_t>(scans)}, {}};
   const auto known = static_cast<std::ptrdiff_t>(beginning.scans.back().odometry_known);
   beginning.odometry = {log.odometry.begin(), log.odometry.begin() + known};
   return beginning;
