@@ -8,7 +8,7 @@
 #include "bags/mcap_store.hpp"
 #include "bags/ros1_store.hpp"
 #include "bags/sqlite_store.hpp"
-#include "bags/temporary_directory.hpp"
+#include "bags/unpacking_directory.hpp"
 #include "bags/unpacking.hpp"
 
 namespace aisle {
@@ -21,7 +21,7 @@ constexpr std::size_t kWarningsMax = 20;
 /// A store whose file was packed as a whole: the store of the unpacked file.
 class PackedStore : public BagStore {
  public:
-  PackedStore(const fs::path& path, TopicTable& topics, TemporaryDirectory directory,
+  PackedStore(const fs::path& path, TopicTable& topics, UnpackingDirectory directory,
               std::unique_ptr<BagStore> store)
       : BagStore(path, topics), directory_(std::move(directory)), store_(std::move(store)) {}
 
@@ -35,12 +35,12 @@ class PackedStore : public BagStore {
   }
 
  private:
-  TemporaryDirectory directory_;
+  UnpackingDirectory directory_;
   std::unique_ptr<BagStore> store_;
 };
 
 Result<std::unique_ptr<BagStore>> open_packed(const fs::path& path, TopicTable& topics) {
-  auto directory = TemporaryDirectory::create();
+  auto directory = UnpackingDirectory::create();
   if (!directory) return directory.problems();
   const fs::path file = directory->path() / path.stem();
   const auto whole = unpack_file(path, file);  // a cut is seen when the unpacked file ends too early

@@ -20,8 +20,8 @@ std::vector<std::string> journals_of(const fs::path& database) {
   return found;
 }
 
-Result<TemporaryDirectory> copied_with(const fs::path& database, const std::vector<std::string>& journals) {
-  auto directory = TemporaryDirectory::create();
+Result<UnpackingDirectory> copied_with(const fs::path& database, const std::vector<std::string>& journals) {
+  auto directory = UnpackingDirectory::create();
   if (!directory) return directory;
   std::error_code error;
   const fs::path copy = directory->path() / "bag.db3";

@@ -4,7 +4,7 @@
 
 #include "bags/bag_store.hpp"
 #include "bags/sqlite_pages.hpp"
-#include "bags/temporary_directory.hpp"
+#include "bags/unpacking_directory.hpp"
 #include "sessions/session_tables.hpp"
 #include "sessions/sqlite.hpp"
 
@@ -39,7 +39,7 @@ class SqliteStore : public BagStore {
   /// Begins to read the rows, with the data of wanted topics.
   void begin(bool with_data);
 
-  std::optional<TemporaryDirectory> copy_;
+  std::optional<UnpackingDirectory> copy_;
   std::unique_ptr<sqlite::Database> database_;
   std::optional<SessionTables> tables_;
   std::vector<std::size_t> topic_of_;  ///< by index in tables_

@@ -86,7 +86,7 @@ TEST_F(ReadLaserRecording, OfAPackedFileThatIsCutOffTheWholeLinesAreUsed) {
   EXPECT_LT(cut->log.scans.size(), 2000U);
   EXPECT_THAT(warnings_of(*cut), HasSubstr("the gzip stream is cut off; what comes before is used"));
   const auto twice = read_laser_recording(file("twice.bz2", bzipped(text) + bzipped(text)));
-  ASSERT_TRUE(twice.ok());
+  ASSERT_TRUE(twice.ok()) << to_string(twice.problems());
   EXPECT_THAT(twice->log.scans, SizeIs(4000));
 }
 

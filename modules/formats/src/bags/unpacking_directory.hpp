@@ -7,18 +7,18 @@
 namespace aisle {
 
 /// A new directory for files that are needed while a bag is read; it goes with the object.
-class TemporaryDirectory {
+class UnpackingDirectory {
  public:
-  static Result<TemporaryDirectory> create();
+  static Result<UnpackingDirectory> create();
 
-  TemporaryDirectory(TemporaryDirectory&& other) noexcept;
-  TemporaryDirectory& operator=(TemporaryDirectory&& other) noexcept;
-  ~TemporaryDirectory();
+  UnpackingDirectory(UnpackingDirectory&& other) noexcept;
+  UnpackingDirectory& operator=(UnpackingDirectory&& other) noexcept;
+  ~UnpackingDirectory();
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  explicit TemporaryDirectory(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit UnpackingDirectory(std::filesystem::path path) : path_(std::move(path)) {}
 
   std::filesystem::path path_;  ///< empty: none
 };

@@ -1,4 +1,4 @@
-#include "bags/temporary_directory.hpp"
+#include "bags/unpacking_directory.hpp"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -11,23 +11,23 @@
 namespace aisle {
 namespace fs = std::filesystem;
 
-Result<TemporaryDirectory> TemporaryDirectory::create() {
+Result<UnpackingDirectory> UnpackingDirectory::create() {
   std::error_code error;
   std::string name = (fs::temp_directory_path(error) / "aisle-bag-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr)
     return Problem{{name}, fmt::format("cannot be made: {}", std::strerror(errno))};
-  return TemporaryDirectory(name);
+  return UnpackingDirectory(name);
 }
 
-TemporaryDirectory::TemporaryDirectory(TemporaryDirectory&& other) noexcept
+UnpackingDirectory::UnpackingDirectory(UnpackingDirectory&& other) noexcept
     : path_(std::exchange(other.path_, {})) {}
 
-TemporaryDirectory& TemporaryDirectory::operator=(TemporaryDirectory&& other) noexcept {
+UnpackingDirectory& UnpackingDirectory::operator=(UnpackingDirectory&& other) noexcept {
   std::swap(path_, other.path_);
   return *this;
 }
 
-TemporaryDirectory::~TemporaryDirectory() {
+UnpackingDirectory::~UnpackingDirectory() {
   std::error_code error;
   if (!path_.empty()) fs::remove_all(path_, error);
 }
