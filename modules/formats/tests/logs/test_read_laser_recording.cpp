@@ -21,7 +21,9 @@ using testing::SizeIs;
 
 class ReadLaserRecording : public testing::Test {
  protected:
-  ReadLaserRecording() : folder_(fs::path(testing::TempDir()) / "read_laser_recording") {
+  ReadLaserRecording()
+      : folder_(fs::path(testing::TempDir()) /
+                (std::string("recording-") + testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
