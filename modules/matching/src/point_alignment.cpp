@@ -53,7 +53,7 @@ class NearCells {
  private:
   long cell_at(const Vec2& p_map) const {
     const Vec2 cells = (p_map - corner_) / SurfaceMap::kNearCell_m;
-    const long column = static_cast<long>(cells.x() + 0.5), row = static_cast<long>(cells.y() + 0.5);
+    const long column = std::lround(cells.x()), row = std::lround(cells.y());
     const bool inside = cells.x() >= 0 && cells.y() >= 0 && column < side_ && row < side_;
     return inside ? row * side_ + column : -1;
   }
@@ -150,16 +150,16 @@ SurfaceFit fit_surface(std::span<const SurfacePoint> surface, const SurfaceMap& 
   const std::size_t stride = stride_for(surface.size(), kFitPoints);
   for (int round = 0; round < kFitRounds; ++round) {
     const double reach_m = std::max(kReachLast_m, kReachFirst_m * std::pow(0.7, static_cast<double>(round)));
-    const Mat2 R = Eigen::Rotation2Dd(fit.T_map_sensor.theta).toRotationMatrix();
+    const Mat2 turn_matrix = Eigen::Rotation2Dd(fit.T_map_sensor.theta).toRotationMatrix();
     const Vec2 t = fit.T_map_sensor.position();
     Mat3 information = Mat3::Zero();
     Vec3 pull = Vec3::Zero();
     std::size_t on_surface = 0, tried = 0;
     for (std::size_t i = 0; i < surface.size(); i += stride) {
       ++tried;
-      const Vec2 arm = R * surface[i].p;
+      const Vec2 arm = turn_matrix * surface[i].p;
       const Vec2 p_map = t + arm;
-      const SurfacePoint* known = map.nearest(p_map, R * surface[i].normal, reach_m);
+      const SurfacePoint* known = map.nearest(p_map, turn_matrix * surface[i].normal, reach_m);
       if (known == nullptr) continue;
       const double off_m = known->normal.dot(p_map - known->p);
       on_surface += std::abs(off_m) < kOnSurface_m;
@@ -195,9 +195,9 @@ SurfaceFit fit_surface_far(std::span<const SurfacePoint> surface, const SurfaceM
   const int steps = static_cast<int>(std::ceil(reach.position_m / kSearchStep_m));
   for (int turn = -turns; turn <= turns; ++turn) {
     const double theta = wrap_angle(guess.theta + turn * kSearchStep_rad);
-    const Mat2 R = Eigen::Rotation2Dd(theta).toRotationMatrix();
+    const Mat2 turn_matrix = Eigen::Rotation2Dd(theta).toRotationMatrix();
     turned.clear();
-    for (std::size_t i = 0; i < surface.size(); i += stride) turned.push_back(R * surface[i].p);
+    for (std::size_t i = 0; i < surface.size(); i += stride) turned.push_back(turn_matrix * surface[i].p);
     Candidate top;
     for (int ix = -steps; ix <= steps; ++ix) {
       for (int iy = -steps; iy <= steps; ++iy) {

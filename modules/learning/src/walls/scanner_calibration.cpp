@@ -117,13 +117,14 @@ TurnAgreement compare_turns(const SampledMotion& scans, std::span<const Odometry
     if (std::abs(agreement.correlation) > std::abs(best.correlation)) best = agreement;
   };
   try_delay(0);
-  for (double delay_s = kCoarseStep_s; delay_s <= delay_max_s; delay_s += kCoarseStep_s) {
-    try_delay(delay_s);
-    try_delay(-delay_s);
+  const int steps = static_cast<int>(delay_max_s / kCoarseStep_s);
+  for (int step = 1; step <= steps; ++step) {
+    try_delay(step * kCoarseStep_s);
+    try_delay(-step * kCoarseStep_s);
   }
   const double coarse_s = best.delay_s;
-  for (double delay_s = coarse_s - kCoarseStep_s; delay_s <= coarse_s + kCoarseStep_s; delay_s += kFineStep_s)
-    try_delay(delay_s);
+  constexpr int kFineSteps = 5;
+  for (int step = -kFineSteps; step <= kFineSteps; ++step) try_delay(coarse_s + step * kFineStep_s);
   return best;
 }
 
