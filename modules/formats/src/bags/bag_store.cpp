@@ -8,8 +8,8 @@
 #include "bags/mcap_store.hpp"
 #include "bags/ros1_store.hpp"
 #include "bags/sqlite_store.hpp"
-#include "bags/unpacking_directory.hpp"
 #include "bags/unpacking.hpp"
+#include "bags/unpacking_directory.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;

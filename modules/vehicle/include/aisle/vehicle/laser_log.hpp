@@ -37,7 +37,7 @@ struct ScanBeams {
 struct LaserScan {
   double stamp_s = 0;  ///< as recorded; recorded clocks may jump back
   double time_s = 0;   ///< of the middle beam; never decreasing: the recorded clock where it makes sense,
-                      ///< mended where not
+                       ///< mended where not
   std::vector<float> ranges_m;          ///< one a beam; 0: nothing usable
   std::size_t odometry_known = 0;       ///< how many odometry samples had been recorded when this scan was
   std::optional<ScanBeams> beams = {};  ///< none: those of the scanner, all measured at once

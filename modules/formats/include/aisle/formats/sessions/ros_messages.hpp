@@ -1,7 +1,7 @@
 #pragma once
-/// The standard ROS messages that sessions and bags contain, field by field as in their definitions. Each lists its
-/// fields once, in the order of its definition: `fields(message, visit)` calls visit("name", field) for each
-/// field. The code that reads and writes the bytes (cdr.hpp) is built on it.
+/// The standard ROS messages that sessions and bags contain, field by field as in their definitions. Each
+/// lists its fields once, in the order of its definition: `fields(message, visit)` calls visit("name", field)
+/// for each field. The code that reads and writes the bytes (cdr.hpp) is built on it.
 
 #include <array>
 #include <cstdint>
