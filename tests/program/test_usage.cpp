@@ -52,7 +52,7 @@ TEST_F(Usage, AWordThatIsNoChoiceIsRefusedWithTheChoices) {
 
 TEST_F(Usage, HelpShowsTheChoices) {
   const std::string help = run_aisle({"map", "--help"}).out;
-  EXPECT_THAT(help, HasSubstr("--units m|cm "));
+  EXPECT_THAT(help, HasSubstr("--units m|cm|mm "));
   EXPECT_THAT(help, HasSubstr("--rules published|refined"));
 }
 

@@ -72,7 +72,7 @@ TEST_F(Warnings, CentimetresReadAsMetresAreNoticed) {
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.err, HasSubstr("warning: "));
   EXPECT_THAT(run.err, HasSubstr("--units cm"));
-  EXPECT_EQ(run.json()["ok"], true);
+  EXPECT_EQ(run.json()["figures"]["trust"], "unknown");
 }
 
 TEST_F(Warnings, MetresReadAsCentimetresAreNoticed) {

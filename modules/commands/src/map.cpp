@@ -80,16 +80,32 @@ Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<
 }
 
 const char* name_of(Trust trust) {
-  return trust == Trust::kGood ? "good" : trust == Trust::kDoubtful ? "doubtful" : "poor";
+  switch (trust) {
+    case Trust::kGood:
+      return "good";
+    case Trust::kDoubtful:
+      return "doubtful";
+    case Trust::kPoor:
+      return "poor";
+    case Trust::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string reason_of(const MapJudgement& judgement) {
+  if (trust_in(judgement) == Trust::kUnknown)
+    return fmt::format("{} readings are too few to judge the map by", judgement.readings);
+  return fmt::format(
+      "{:.0f} % of the readings end on a wall of the map, {:.1f} % would have to pass through one",
+      100 * judgement.fit_share, 100 * judgement.pass_share);
 }
 
 /// How far the map can be trusted, with the reason.
 void add_trust(const MapJudgement& judgement, Outcome& outcome) {
   const Trust trust = trust_in(judgement);
   outcome.ok = trust != Trust::kPoor;
-  const std::string reason = fmt::format(
-      "{:.0f} % of the readings end on a wall of the map, {:.1f} % would have to pass through one",
-      100 * judgement.fit_share, 100 * judgement.pass_share);
+  const std::string reason = reason_of(judgement);
   outcome.figures["trust"] = name_of(trust);
   outcome.figures["trust_reason"] = reason;
   outcome.figures["scan_fit_share"] = rounded(judgement.fit_share, 4);

@@ -68,6 +68,13 @@ bool looks_like_text(std::string_view head) {
   });
 }
 
+/// The first two lines have fields, and as many.
+bool looks_like_table(std::string_view head) {
+  const auto commas = [](std::string_view line) { return std::count(line.begin(), line.end(), ','); };
+  const auto first = commas(take_line(head));
+  return first > 0 && first == commas(take_line(head));
+}
+
 bool has_carmen_message(std::string_view head) {
   constexpr std::array<std::string_view, 9> kMessages = {
       "FLASER", "RLASER", "RAWLASER1", "RAWLASER2", "ROBOTLASER1", "ROBOTLASER2", "ODOM", "PARAM", "SYNC"};
@@ -103,11 +110,10 @@ std::string describe_contents(std::string_view head) {
   if (start.starts_with("<!doctype html") || start.starts_with("<html")) return "a web page (HTML)";
   if (start.starts_with("<")) return "an XML file";
   if (start.starts_with("{") || start.starts_with("[")) return "a JSON file";
-  const std::string_view first_line = head.substr(0, head.find('\n'));
-  if (first_line.find(',') != std::string_view::npos) {
+  if (looks_like_table(head)) {
     return "a table, but its header does not name time_s and range_0_m (docs/formats/laser_csv.md)";
   }
-  return "a text of another kind, beginning '" + printable(first_line) + "'";
+  return "a text of another kind, beginning '" + printable(head.substr(0, head.find('\n'))) + "'";
 }
 
 }  // namespace aisle

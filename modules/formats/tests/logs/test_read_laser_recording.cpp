@@ -115,7 +115,7 @@ TEST_F(ReadLaserRecording, AnythingElseIsRefusedInOneLineThatSaysWhatItLooksLike
   looks_like("<!DOCTYPE html>\n<html>", "a web page");
   looks_like("# .PCD v0.7\nVERSION 0.7\n", "a point cloud");
   looks_like("{\"a\": 1}", "a JSON file");
-  looks_like("Dear reader,\n", "a table, but its header does not name");
+  looks_like("distance,angle\n1,2\n", "a table, but its header does not name");
   looks_like("Dear reader\n", "a text of another kind, beginning 'Dear reader'");
   looks_like(std::string("\x01\x02\x00\x03", 4), "binary data");
   std::string tar(600, '\0');

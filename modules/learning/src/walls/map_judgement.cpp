@@ -14,6 +14,7 @@ constexpr std::size_t kJudgedBeams = 60;  // of each scan
 constexpr double kJudgedReach_m = 15;     // farther readings move too much with the heading
 constexpr double kOnWall_m = 0.10;
 constexpr double kThroughWall_m = 0.30;
+constexpr std::size_t kReadingsToJudge = 1000;
 // Between the shares of maps that are right and of maps that are known to be torn (benchmarks/reports).
 constexpr double kPassDoubtful = 0.04;
 constexpr double kPassPoor = 0.08;
@@ -73,6 +74,7 @@ class Judge {
 }  // namespace
 
 Trust trust_in(const MapJudgement& judgement) {
+  if (judgement.readings < kReadingsToJudge) return Trust::kUnknown;
   if (judgement.pass_share > kPassPoor || judgement.fit_share < kFitPoor) return Trust::kPoor;
   return judgement.pass_share > kPassDoubtful || judgement.fit_share < kFitDoubtful ? Trust::kDoubtful
                                                                                     : Trust::kGood;

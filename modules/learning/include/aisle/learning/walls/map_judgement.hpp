@@ -14,7 +14,8 @@ struct MapJudgement {
   std::size_t readings = 0;
 };
 
-enum class Trust { kGood, kDoubtful, kPoor };
+/// Unknown where there are too few readings to judge by.
+enum class Trust { kGood, kDoubtful, kPoor, kUnknown };
 
 /// How far the map can be trusted. In a map that is torn or drawn twice, beams pass through walls.
 Trust trust_in(const MapJudgement& judgement);
