@@ -1,11 +1,13 @@
 #include "aisle/vehicle/odometry_track.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace aisle {
 namespace {
 
 constexpr double kCarryOn_s = 0.5;
+constexpr double kCarriedOver_s = 0.04;  // the motion is measured over at least this; stamps jitter
 
 Pose2 between_samples(const OdometrySample& a, const OdometrySample& b, double time_s) {
   const double span_s = b.time_s - a.time_s;
@@ -24,7 +26,11 @@ Pose2 OdometryTrack::at(double time_s, std::size_t known) const {
   if (later != end) return between_samples(*(later - 1), *later, time_s);
   const OdometrySample& last = *(end - 1);
   if (time_s <= last.time_s || end - first < 2) return last.T_odom_vehicle;
-  return between_samples(*(end - 2), last, std::min(time_s, last.time_s + kCarryOn_s));
+  const auto before = std::find_if(
+      std::reverse_iterator(end - 1), std::reverse_iterator(first),
+      [&](const OdometrySample& sample) { return last.time_s - sample.time_s >= kCarriedOver_s; });
+  if (before == std::reverse_iterator(first)) return last.T_odom_vehicle;
+  return between_samples(*before, last, std::min(time_s, last.time_s + kCarryOn_s));
 }
 
 }  // namespace aisle

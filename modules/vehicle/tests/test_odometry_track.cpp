@@ -60,7 +60,13 @@ TEST(OdometryTrack, OfTwoSamplesAtOneTimeTheLaterCounts) {
   const OdometryTrack track(samples);
   EXPECT_THAT(track.at(11, 4), PoseNear(Pose2{2, 0, 0}, 0, 0));
   EXPECT_THAT(track.at(11.5, 4), PoseNear(Pose2{3, 0, 0}, 1e-12, 0));
-  EXPECT_THAT(track.at(11.5, 3), PoseNear(Pose2{2, 0, 0}, 0, 0));
+}
+
+TEST(OdometryTrack, AMotionBetweenStampsThatAlmostAgreeIsNotCarriedOn) {
+  const std::vector<OdometrySample> samples = {{10, {0, 0, 0}}, {10.5, {1, 0, 0}}, {10.50001, {1.01, 0, 0}}};
+  EXPECT_THAT(OdometryTrack(samples).at(10.6, 3), PoseNear(Pose2{1.21, 0, 0}, 1e-2, 1e-12));
+  const std::vector<OdometrySample> together = {{10, {0, 0, 0}}, {10.00001, {1, 0, 0}}};
+  EXPECT_THAT(OdometryTrack(together).at(10.6, 2), PoseNear(Pose2{1, 0, 0}, 0, 0));
 }
 
 }  // namespace

@@ -22,22 +22,39 @@ constexpr const char* kWhatIsRead =
     "recordings are CARMEN logs, MRPT rawlogs, CSV (each plain, gzip or bzip2), and ROS bags (.bag, .db3, "
     ".mcap)";
 
-Result<LaserRecording> read_recording_file(const fs::path& path, const RecordingOptions& options) {
-  const Result<std::string> head = read_unpacked_head(path, kRecordingHead);
-  if (!head) return head.problems();
-  const RecordingKind kind = recording_kind(*head);
-  if (kind == RecordingKind::kOther) {
-    return Problem{{path.string()}, fmt::format("is {}; {}", describe_contents(*head), kWhatIsRead)};
+Problem other_kind(const fs::path& path, std::string_view head) {
+  return {{path.string()}, fmt::format("is {}; {}", describe_contents(head), kWhatIsRead)};
+}
+
+/// All bytes of a file that begins like a recording. A pipe can be read only once, a file is looked at first.
+Result<UnpackedFile> read_if_recording(const fs::path& path) {
+  if (fs::is_regular_file(path)) {
+    const Result<std::string> head = read_unpacked_head(path, kRecordingHead);
+    if (!head) return head.problems();
+    if (recording_kind(*head) == RecordingKind::kOther) return other_kind(path, *head);
   }
-  if (kind == RecordingKind::kCarmen) return read_carmen_log(path, options);
-  const Result<UnpackedFile> file = read_unpacked_file(path);
-  if (!file) return file.problems();
+  return read_unpacked_file(path);
+}
+
+Result<LaserRecording> parse_recording(std::string_view bytes, const fs::path& path,
+                                       const RecordingOptions& options) {
+  const std::string_view head = bytes.substr(0, kRecordingHead);
+  const RecordingKind kind = recording_kind(head);
+  if (kind == RecordingKind::kOther) return other_kind(path, head);
+  if (kind == RecordingKind::kCarmen) return parse_carmen_log(bytes, path.string(), options);
   Result<LaserRecording> recording = kind == RecordingKind::kRawlog
-                                         ? parse_rawlog(file->bytes, path.string(), options)
-                                         : parse_laser_csv(file->bytes, path.string(), options);
+                                         ? parse_rawlog(bytes, path.string(), options)
+                                         : parse_laser_csv(bytes, path.string(), options);
   if (recording && options.unit != LengthUnit::kMetre) {
     recording->warnings.push_back({{path.string()}, "states its own units: --units says nothing of it"});
   }
+  return recording;
+}
+
+Result<LaserRecording> read_recording_file(const fs::path& path, const RecordingOptions& options) {
+  const Result<UnpackedFile> file = read_if_recording(path);
+  if (!file) return file.problems();
+  Result<LaserRecording> recording = parse_recording(file->bytes, path, options);
   if (recording && !file->damage.empty()) {
     recording->warnings.push_back({{path.string()}, file->damage + "; what comes before is used"});
   }
