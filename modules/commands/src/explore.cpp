@@ -12,7 +12,6 @@
 #include "aisle/learning/corridors/corridor_tracing.hpp"
 #include "aisle/learning/walls/map_building.hpp"
 #include "aisle/maps/grazing_walls.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "exploration/exploration_check.hpp"
 #include "exploration/exploration_evaluation.hpp"
 #include "exploration/exploration_mission.hpp"
@@ -23,7 +22,6 @@
 #include "exploration/exploring_start.hpp"
 #include "plan_reading.hpp"
 #include "rounded.hpp"
-#include "simulated_record.hpp"
 #include "statistics.hpp"
 
 namespace aisle {
@@ -83,79 +81,86 @@ struct Explored {
   MapResult map;
   FloorGrid floor;
   CorridorGraph corridors;
-  ExplorationScore truth;  ///< learned building against the ground truth
+  std::optional<ExplorationScore> truth;  ///< learned building against the ground truth, where that is known
 };
 
-SensorField field_of(const LaserScanner& scanner, std::size_t beams, double reach_m, double height_m) {
-  return {.T_vehicle_sensor = scanner.T_vehicle_laser,
-          .reach_m = reach_m,
-          .width_rad = scanner.angle_step_rad * static_cast<double>(beams - 1),
-          .height_m = height_m};
+SensorField sensor_field(const ExplorationPlan& plan, const LaserLog& log) {
+  const auto& markers = plan.setting.vehicle.description.laser_markers;
+  const std::size_t beams = log.scans.front().ranges_m.size();
+  return {.T_vehicle_sensor = log.laser.T_vehicle_laser,
+          .reach_m = plan.params.learner.view.reach_m,
+          .width_rad = log.laser.angle_step_rad * static_cast<double>(beams - 1),
+          .height_m = markers ? markers->height_m : plan.setting.vehicle.simulated.scanner.height_m};
 }
 
 Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPlan& plan,
-                              std::optional<InterruptedRun> former, std::optional<SessionRecord>& session,
-                              Progress& progress) {
+                              SimulatedVehicle& simulated, std::optional<InterruptedRun> former,
+                              std::optional<SessionRecord>& session, Progress& progress) {
   const VehicleDescription& vehicle = plan.setting.vehicle.description;
   const auto explorer = make_explorer(explorer_origin(plan.params, options), vehicle);
   if (!explorer) return explorer.problems();
   ExplorerNavigator& navigator = **explorer;
-  auto mission = drive_exploration(plan.setting, navigator, plan.T_world_start, options.seed,
-                                   std::move(former), session, progress);
+  auto mission = drive_exploration(simulated, &simulated, navigator, std::move(former), session, progress);
   if (!mission) return mission.problems();
   const LaserLog& log = mission->log;
   MapResult map = build_map(log, plan.params.learner.mapping, 0.0, false, progress);
   FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
   draw_grazing_walls(map.walls, floor);
   CorridorGraph corridors = trace_corridors(floor, map.T_map_vehicle.front().position(), {});
-  const double height_m = vehicle.laser_markers ? vehicle.laser_markers->height_m
-                                                : plan.setting.vehicle.simulated.scanner.height_m;
-  const SensorField field =
-      field_of(log.laser, log.scans.front().ranges_m.size(), plan.params.learner.view.reach_m, height_m);
-  const ExplorationScore truth = evaluate_exploration(
-      plan.setting.world, vehicle, field,
-      {mission->T_world_scan, map_in_world(map.T_map_vehicle, mission->T_world_scan), floor, map.walls});
+  std::optional<ExplorationScore> truth;
+  if (mission->is_simulated())
+    truth = evaluate_exploration(
+        plan.setting.world, vehicle, sensor_field(plan, log),
+        {mission->T_world_scan, map_in_world(map.T_map_vehicle, mission->T_world_scan), floor, map.walls});
   return Explored{std::move(*mission), std::move(map), std::move(floor), std::move(corridors), truth};
 }
 
 bool has_certificate(const Explored& explored) {
-  return explored.mission.record.certified() && explored.mission.collisions == 0 &&
-         explored.truth.covered_share >= kCompleteShare;
+  return explored.mission.record.certified() && explored.mission.is_unharmed() &&
+         (!explored.truth || explored.truth->covered_share >= kCompleteShare);
 }
 
 nlohmann::ordered_json figures_of(const Explored& explored) {
   const ExplorationMissionResult& mission = explored.mission;
-  const ExplorationScore& truth = explored.truth;
-  return {{"simulated", true},
-          {"covered_share", rounded(truth.covered_share, 4)},
-          {"mapped_share", rounded(truth.mapped_share, 4)},
-          {"came_home", mission.record.came_home},
-          {"home_error_m", rounded(truth.home_error_m, 4)},
-          {"home_error_deg", rounded(to_degrees(truth.home_error_rad), 3)},
-          {"collisions", mission.collisions},
-          {"distance_m", rounded(mission.distance_m, 3)},
-          {"duration_s", rounded(mission.end.duration_s, 1)},
-          {"graph_bound_m", rounded(truth.graph_bound_m, 3)},
-          {"crossings", explored.corridors.count(CorridorNode::Kind::kCrossing)},
-          {"dead_ends", explored.corridors.count(CorridorNode::Kind::kEnd)},
-          {"wall_rmse_m", rounded(truth.walls.rmse_m, 4)},
-          {"wall_missed_share", rounded(truth.walls.missed_share(), 4)},
-          {"wall_false_share", rounded(truth.walls.false_share(), 4)},
-          {"free_m2", rounded(explored.floor.free_m2(), 2)},
-          {"certificate", has_certificate(explored)},
-          {"ended_because", mission.record.ended_because},
-          {"loop_closures", explored.map.loop_closures.size()},
-          {"cycle_ms",
-           {{"median", rounded(1e3 * quantile(mission.cycle_s, 0.5), 3)},
-            {"p99", rounded(1e3 * quantile(mission.cycle_s, 0.99), 3)},
-            {"worst", rounded(1e3 * quantile(mission.cycle_s, 1), 3)}}}};
+  const auto of_truth = [&](double (*figure_of)(const ExplorationScore&), int decimals) {
+    return explored.truth ? nlohmann::ordered_json(rounded(figure_of(*explored.truth), decimals))
+                          : nlohmann::ordered_json();
+  };
+  using Score = const ExplorationScore&;
+  return known_figures(
+      {{"simulated", mission.is_simulated()},
+       {"covered_share", of_truth([](Score truth) { return truth.covered_share; }, 4)},
+       {"mapped_share", of_truth([](Score truth) { return truth.mapped_share; }, 4)},
+       {"came_home", mission.record.came_home},
+       {"home_error_m", of_truth([](Score truth) { return truth.home_error_m; }, 4)},
+       {"home_error_deg", of_truth([](Score truth) { return to_degrees(truth.home_error_rad); }, 3)},
+       {"collisions", if_known(mission.collisions())},
+       {"distance_m", rounded(mission.distance_m(), 3)},
+       {"duration_s", rounded(mission.end.duration_s, 1)},
+       {"graph_bound_m", of_truth([](Score truth) { return truth.graph_bound_m; }, 3)},
+       {"crossings", explored.corridors.count(CorridorNode::Kind::kCrossing)},
+       {"dead_ends", explored.corridors.count(CorridorNode::Kind::kEnd)},
+       {"wall_rmse_m", of_truth([](Score truth) { return truth.walls.rmse_m; }, 4)},
+       {"wall_missed_share", of_truth([](Score truth) { return truth.walls.missed_share(); }, 4)},
+       {"wall_false_share", of_truth([](Score truth) { return truth.walls.false_share(); }, 4)},
+       {"free_m2", rounded(explored.floor.free_m2(), 2)},
+       {"certificate", has_certificate(explored)},
+       {"ended_because", mission.record.ended_because},
+       {"loop_closures", explored.map.loop_closures.size()},
+       {"cycle_ms",
+        {{"median", rounded(1e3 * quantile(mission.cycle_s, 0.5), 3)},
+         {"p99", rounded(1e3 * quantile(mission.cycle_s, 0.99), 3)},
+         {"worst", rounded(1e3 * quantile(mission.cycle_s, 1), 3)}}}});
 }
 
 std::string text_of(const Explored& explored) {
   const ExplorationMissionResult& mission = explored.mission;
-  return fmt::format("simulated: {}; {:.1f} m in {:.0f} s, {} collisions, home to {:.1f} cm\n",
-                     mission.end.why, mission.distance_m, mission.end.duration_s, mission.collisions,
-                     100 * explored.truth.home_error_m);
+  std::string text = fmt::format("{}{}; {:.1f} m in {:.0f} s", mission.is_simulated() ? "simulated: " : "",
+                                 mission.end.why, mission.distance_m(), mission.end.duration_s);
+  if (explored.truth)
+    text += fmt::format(", {} collisions, home to {:.1f} cm", mission.truth->collisions,
+                        100 * explored.truth->home_error_m);
+  return text + "\n";
 }
 
 /// The run to continue; it must have been driven by the same explorer.
@@ -187,13 +192,13 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
                                 Console& console) {
   SessionOrigin origin = explorer_origin(plan.params, options);
   origin.seed = options.seed;
-  origin.simulated = true;
   auto former = former_run(options, origin);
   if (!former) return former.problems();
-  auto session =
-      open_session(options.session, options.force, plan.setting.vehicle.description, origin, console.watcher);
+  SimulatedVehicle vehicle = vehicle_in(
+      plan.setting, *former ? (*former)->T_world_vehicle.back() : plan.T_world_start, options.seed);
+  auto session = open_session(options.session, options.force, vehicle, &vehicle, origin, console.watcher);
   if (!session) return session.problems();
-  auto explored = explore_once(options, plan, std::move(*former), *session, console.progress);
+  auto explored = explore_once(options, plan, vehicle, std::move(*former), *session, console.progress);
   if (!explored) return explored.problems();
   if (Problems problems = close(*session); !problems.empty()) return problems;
   Outcome outcome{.verb = "explore"};
@@ -204,10 +209,11 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
   if (options.compares) {
     ExploreOptions baseline = options;
     baseline.order = ExploringOrder::kNearest;
+    SimulatedVehicle another = vehicle_in(plan.setting, plan.T_world_start, options.seed);
     std::optional<SessionRecord> unrecorded;
-    const auto nearest = explore_once(baseline, plan, {}, unrecorded, console.progress);
+    const auto nearest = explore_once(baseline, plan, another, {}, unrecorded, console.progress);
     if (!nearest) return nearest.problems();
-    outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
+    outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m(), 3);
     outcome.figures["nearest_frontier_certificate"] = has_certificate(*nearest);
   }
   outcome.text = text_of(*explored);

@@ -12,14 +12,14 @@
 #include "aisle/formats/sessions/session_writer.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "landmarks/landmark_mission.hpp"
+#include "landmarks/landmark_evaluation.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
 #include "route_name.hpp"
 #include "sections/section_verbs.hpp"
-#include "simulated_record.hpp"
+#include "set_down.hpp"
 
 namespace aisle {
 namespace {
@@ -72,7 +72,6 @@ Result<Mission> read_mission(const NavigateOptions& options, const LandmarkNavig
   mission.origin =
       LandmarkDriver::origin(params, {*text, route_name(*building, options.route), options.in_reverse});
   mission.origin.seed = options.seed;
-  mission.origin.simulated = true;
   auto driver = LandmarkDriver::make(mission.origin, vehicle);
   if (!driver) return at_file(driver.problems(), file);
   mission.driver = std::move(*driver);
@@ -86,26 +85,29 @@ Result<Mission> read_mission(const NavigateOptions& options, const LandmarkNavig
   return mission;
 }
 
+std::string errors_text(const MissionErrors& errors) {
+  return fmt::format(
+      "pose error {:.1f} cm across, {:.1f} cm along, {:.2f} deg (rms)\n"
+      "cross-track error {:.1f} cm (rms), {:.1f} cm (worst)\n",
+      100 * errors.across_m.rms(), 100 * errors.along_m.rms(), to_degrees(errors.heading_rad.rms()),
+      100 * errors.tracking_m.rms(), 100 * errors.tracking_m.worst());
+}
+
 Outcome outcome_of(const NavigateOptions& options, const Mission& mission,
-                   const LandmarkMissionResult& result, double worked_s) {
-  const MissionErrors& errors = result.errors;
-  Outcome outcome{.verb = "navigate", .ok = result.end.arrived && result.collisions == 0};
-  outcome.figures = figures_of(result);
-  outcome.figures["simulated"] = true;
+                   const JudgedLandmarkMission& judged, double worked_s) {
+  const LandmarkMissionResult& result = judged.mission;
+  Outcome outcome{.verb = "navigate", .ok = result.end.arrived && result.is_unharmed()};
+  outcome.figures = figures_of(judged);
+  outcome.figures["simulated"] = result.is_simulated();
   outcome.figures["seed"] = options.seed;
   outcome.figures["route"] = mission.origin.route;
   outcome.figures["in_reverse"] = options.in_reverse;
   outcome.figures["landmarks"] = mission.driver->building().landmarks.size();
   outcome.figures["real_time_factor"] = rounded(result.end.duration_s / std::max(worked_s, 1e-6), 1);
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
-  outcome.text = fmt::format(
-      "simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}, lost {} time{}\n"
-      "pose error {:.1f} cm across, {:.1f} cm along, {:.2f} deg (rms)\n"
-      "cross-track error {:.1f} cm (rms), {:.1f} cm (worst)\n",
-      result.end.state, result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
-      result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s", result.lost_count,
-      result.lost_count == 1 ? "" : "s", 100 * errors.across_m.rms(), 100 * errors.along_m.rms(),
-      to_degrees(errors.heading_rad.rms()), 100 * errors.tracking_m.rms(), 100 * errors.tracking_m.worst());
+  outcome.text = fmt::format("{}, lost {} time{}\n", mission_text(result), result.lost_count,
+                             result.lost_count == 1 ? "" : "s");
+  if (judged.errors) outcome.text += errors_text(*judged.errors);
   return outcome;
 }
 
@@ -131,21 +133,25 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
     return Problem{{"--and-back"}, "is for --method sections; by landmarks the return path is --reverse"};
   const auto mission = read_mission(options, params.landmarks);
   if (!mission) return mission.problems();
-  auto session = open_session(options.out, options.force, mission->setting.vehicle.description,
-                              mission->origin, console.watcher);
+  SimulatedVehicle vehicle = vehicle_in(
+      mission->setting,
+      set_down_for_landmarks(mission->setting, start_in_world(*mission, options.in_reverse), options.seed),
+      options.seed);
+  auto session =
+      open_session(options.out, options.force, vehicle, &vehicle, mission->origin, console.watcher);
   if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();
-  const auto result = drive_landmark_mission(mission->setting, *mission->driver, mission->truth,
-                                             {.seed = options.seed, .in_reverse = options.in_reverse},
-                                             *session, console.progress);
-  if (!result) return result.problems();
+  auto driven = drive_landmark_mission(vehicle, &vehicle, *mission->driver, *session, console.progress);
+  if (!driven) return driven.problems();
   if (const Problems problems = close(*session); !problems.empty()) return problems;
-  Outcome outcome = outcome_of(options, *mission, *result, clock.now_s() - begun_s);
+  const JudgedLandmarkMission result =
+      judged(std::move(*driven), mission->truth, mission->driver->path(), options.in_reverse);
+  Outcome outcome = outcome_of(options, *mission, result, clock.now_s() - begun_s);
   if (options.out.empty()) return outcome;
   const std::filesystem::path image = options.out / kDrivenImage;
   if (Problems problems = write_whole_file(
-          image, trace_picture(mission->driver->building(), *result, "driven alone, simulated"));
+          image, trace_picture(mission->driver->building(), result.mission, "driven alone, simulated"));
       !problems.empty())
     return problems;
   outcome.files["driven_svg"] = image.string();

@@ -5,11 +5,9 @@
 #include <utility>
 
 #include "aisle/commands/shipped_files.hpp"
-#include "aisle/core/random.hpp"
 #include "aisle/formats/worlds/scenario_yaml.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "plan_reading.hpp"
 
 namespace aisle {
@@ -77,14 +75,9 @@ Result<Pose2> start_in(const SimulationSetting& setting) {
   return *start;
 }
 
-Pose2 set_down(const SimulationSetting& setting, const UncertainPose2& T_world_start, std::uint64_t seed) {
-  constexpr std::uint64_t kSetDown = 0x5e7d03;  // separates this random stream from the vehicle's
-  Random random(seed ^ kSetDown);
-  const Vec3 sigmas = T_world_start.covariance.diagonal().cwiseSqrt();
-  const Pose2 off{random.normal(sigmas.x()), random.normal(sigmas.y()), random.normal(sigmas.z())};
-  const Pose2 T_world_vehicle = T_world_start.mean * off;
-  return fits(setting.world, setting.vehicle.description.footprint, T_world_vehicle) ? T_world_vehicle
-                                                                                     : T_world_start.mean;
+SimulatedVehicle vehicle_in(const SimulationSetting& setting, const Pose2& T_world_start,
+                            std::uint64_t seed) {
+  return {setting.world, setting.vehicle, setting.scenario, {.seed = seed, .T_world_start = T_world_start}};
 }
 
 }  // namespace aisle

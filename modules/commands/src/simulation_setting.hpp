@@ -6,6 +6,7 @@
 
 #include "aisle/core/result.hpp"
 #include "aisle/simulation/scenario.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "aisle/simulation/vehicle/vehicle_model.hpp"
 #include "aisle/simulation/world.hpp"
 
@@ -30,8 +31,7 @@ Result<SimulationSetting> read_setting(const std::string& world, const std::stri
 /// The world's start pose; a problem if the vehicle does not fit there.
 Result<Pose2> start_in(const SimulationSetting& setting);
 
-/// Random initial pose, as of a vehicle that is put down by hand; the exact pose if the random one is
-/// occupied.
-Pose2 set_down(const SimulationSetting& setting, const UncertainPose2& T_world_start, std::uint64_t seed);
+/// The setting's vehicle in its world, with the scenario's faults. The setting must outlive it.
+SimulatedVehicle vehicle_in(const SimulationSetting& setting, const Pose2& T_world_start, std::uint64_t seed);
 
 }  // namespace aisle

@@ -48,21 +48,23 @@ Result<SimulationSetting> landmark_setting(const TrialOptions& options, std::uin
 /// Statistics of all missions after a number of refinements.
 class Statistics {
  public:
-  void add(const LandmarkMissionResult& result, std::size_t landmarks) {
+  void add(const JudgedLandmarkMission& judged, std::size_t landmarks) {
+    const LandmarkMissionResult& mission = judged.mission;
+    const MissionErrors& errors = *judged.errors;
     ++missions_;
-    arrived_ += result.end.arrived ? 1 : 0;
-    collisions_ += result.collisions;
-    wrong_confident_ += result.errors.wrong_confident ? 1 : 0;
-    knew_place_at_end_ += result.errors.knew_place_at_end ? 1 : 0;
-    lost_.add(static_cast<double>(result.lost_count));
-    distance_m_.add(result.distance_m);
-    across_m_.add(result.errors.across_m.rms());
-    along_m_.add(result.errors.along_m.rms());
-    heading_deg_.add(to_degrees(result.errors.heading_rad.rms()));
-    tracking_m_.add(result.errors.tracking_m.rms());
-    tracking_worst_m_.add(result.errors.tracking_m.worst());
+    arrived_ += mission.end.arrived ? 1 : 0;
+    collisions_ += mission.truth->collisions;
+    wrong_confident_ += errors.wrong_confident ? 1 : 0;
+    knew_place_at_end_ += errors.knew_place_at_end ? 1 : 0;
+    lost_.add(static_cast<double>(mission.lost_count));
+    distance_m_.add(mission.distance_m());
+    across_m_.add(errors.across_m.rms());
+    along_m_.add(errors.along_m.rms());
+    heading_deg_.add(to_degrees(errors.heading_rad.rms()));
+    tracking_m_.add(errors.tracking_m.rms());
+    tracking_worst_m_.add(errors.tracking_m.worst());
     landmarks_.add(static_cast<double>(landmarks));
-    cycle_s_.insert(cycle_s_.end(), result.cycle_s.begin(), result.cycle_s.end());
+    cycle_s_.insert(cycle_s_.end(), mission.cycle_s.begin(), mission.cycle_s.end());
   }
 
   bool all_well() const { return arrived_ == missions_ && collisions_ == 0; }
@@ -95,7 +97,7 @@ class Statistics {
 };
 
 Json mission_json(std::uint64_t seed, const SimulationSetting& setting, int refinement,
-                  const LandmarkMissionResult& result) {
+                  const JudgedLandmarkMission& result) {
   Json json = {{"seed", seed},
                {"world", setting.world.name.empty() ? setting.world_file.string() : setting.world.name},
                {"refinement", refinement}};
@@ -137,12 +139,12 @@ Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& param
         return {{{}, fmt::format("seed {}: the path is too short to kidnap the vehicle along it", seed)}};
       present.scenario.events.push_back(*lift);
     }
-    const auto result = drive_alone(present, params, building, truth,
-                                    {.seed = mission_seed, .in_reverse = options.in_reverse}, progress);
+    const auto result =
+        drive_alone(present, params, building, truth, mission_seed, options.in_reverse, progress);
     if (!result) return result.problems();
     trial.after[static_cast<std::size_t>(refinement)].add(*result, building.landmarks.size());
     trial.missions.push_back(mission_json(seed, *setting, refinement, *result));
-    refine_by(*result, setting->vehicle.description, params.learner.learning, building);
+    refine_by(result->mission, setting->vehicle.description, params.learner.learning, building);
   }
   return {};
 }

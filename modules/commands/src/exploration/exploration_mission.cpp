@@ -5,9 +5,6 @@
 
 #include "aisle/exploration/corridor_rules.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "simulated_record.hpp"
-#include "timed_navigator.hpp"
 
 namespace aisle {
 namespace {
@@ -25,43 +22,25 @@ std::string transducer_json(const BuildingExplorer& explorer) {
 }
 
 /// Records the mission's session and the true poses of the vehicle.
-class ExplorationMissionRecord final : public SimulatedRecord {
+class ExplorationMissionRecorder final : public MissionRecorder {
  public:
-  ExplorationMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
-                           const ExplorationRun& run, const ExplorerNavigator& navigator,
-                           ExplorationMissionResult& result)
-      : SimulatedRecord(session, vehicle),
-        session_(session),
-        run_(run),
-        navigator_(navigator),
-        result_(result) {}
+  ExplorationMissionRecorder(std::optional<SessionRecord>& session, const ExplorationRun& run,
+                             const ExplorerNavigator& navigator, ExplorationMissionResult& result)
+      : MissionRecorder(session, run, run.truth_source()), navigator_(navigator), result_(result) {}
 
-  Result<Observation> keep(Observation observation) override {
-    if (!run_.was_interrupted() || !session_) return SimulatedRecord::keep(std::move(observation));
-    auto kept = session_->keep(std::move(observation));
-    if (!kept) return kept.problems();
-    if (Problems problems = session_->keep_truth(kept->stamp_s, run_.T_world_vehicle()); !problems.empty())
-      return problems;
-    return kept;
-  }
+  using MissionRecorder::keep;
 
   Problems keep(const Decision& decision) override {
-    const Pose2& T_world_vehicle = run_.T_world_vehicle();
-    result_.T_world_vehicle.push_back(T_world_vehicle);
-    if (!run_.was_interrupted()) show_all();
-    if (navigator_.learner().log().scans.size() > result_.T_world_scan.size())
-      result_.T_world_scan.push_back(T_world_vehicle);
-    return SimulatedRecord::keep(decision);
-  }
-
- private:
-  void show_all() {
     show_pose({navigator_.learner().T_map_vehicle()});
     show_plan(navigator_.path());
     show_transducer();
     show_floor(navigator_.learner().floor());
+    const bool is_new_scan = navigator_.learner().log().scans.size() > result_.T_world_scan.size();
+    if (is_new_scan && T_world_vehicle() != nullptr) result_.T_world_scan.push_back(*T_world_vehicle());
+    return MissionRecorder::keep(decision);
   }
 
+ private:
   /// Only after a step of the transducer.
   void show_transducer() {
     const BuildingExplorer& explorer = navigator_.explorer();
@@ -71,8 +50,6 @@ class ExplorationMissionRecord final : public SimulatedRecord {
     show(topic, cdr_bytes(ros::String{transducer_json(explorer)}));
   }
 
-  std::optional<SessionRecord>& session_;
-  const ExplorationRun& run_;
   std::size_t steps_shown_ = 0;
   const ExplorerNavigator& navigator_;
   ExplorationMissionResult& result_;
@@ -80,26 +57,20 @@ class ExplorationMissionRecord final : public SimulatedRecord {
 
 }  // namespace
 
-Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& setting,
-                                                   ExplorerNavigator& navigator, const Pose2& T_world_start,
-                                                   std::uint64_t seed, std::optional<InterruptedRun> former,
+Result<ExplorationMissionResult> drive_exploration(Vehicle& vehicle, const TruthSource* truth,
+                                                   ExplorerNavigator& navigator,
+                                                   std::optional<InterruptedRun> former,
                                                    std::optional<SessionRecord>& session,
                                                    Progress& progress) {
-  const Pose2 T_world_set_down = former ? former->T_world_vehicle.back() : T_world_start;
-  SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
-                           {.seed = seed, .T_world_start = T_world_set_down});
-  ExplorationRun run(vehicle, std::move(former));
+  ExplorationRun run(vehicle, truth, std::move(former));
   ExplorationMissionResult result;
-  TimedNavigator timed(navigator, result.cycle_s);
-  ExplorationMissionRecord record(session, vehicle, run, navigator, result);
-  auto end = run_mission(run, timed, record, progress);
-  if (!end) return end.problems();
+  ExplorationMissionRecorder record(session, run, navigator, result);
+  if (Problems problems = drive_mission(run, run.truth_source(), navigator, record, progress, result);
+      !problems.empty())
+    return problems;
   if (!run.problems().empty()) return run.problems();
-  result.end = std::move(*end);
   result.record = navigator.record();
   result.log = navigator.learner().log();
-  result.collisions = vehicle.truth().collisions;
-  result.distance_m = run.path_m();
   return result;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -8,28 +7,23 @@
 #include "aisle/core/result.hpp"
 #include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/guidance/exploration/explorer_navigator.hpp"
-#include "aisle/guidance/mission.hpp"
 #include "exploration/exploration_run.hpp"
-#include "simulation_setting.hpp"
+#include "mission_result.hpp"
 
 namespace aisle {
 
-/// Result of a simulated exploration.
-struct ExplorationMissionResult {
-  MissionEnd end;
+/// Result of an exploration.
+struct ExplorationMissionResult : MissionResult {
   ExplorationRecord record;
-  LaserLog log;  ///< what the sensor saw, scan by scan
-  std::size_t collisions = 0;
-  double distance_m = 0;
-  std::vector<Pose2> T_world_vehicle;  ///< true poses, one per cycle
-  std::vector<Pose2> T_world_scan;     ///< true poses, one per scan
-  std::vector<double> cycle_s;         ///< processor time of each cycle, from observation to command
+  LaserLog log;                     ///< what the sensor saw, scan by scan
+  std::vector<Pose2> T_world_scan;  ///< true poses, one per scan; empty: unknown
 };
 
-/// Puts the vehicle at its start and lets it explore, or continue an interrupted run (`former`).
-Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& setting,
-                                                   ExplorerNavigator& navigator, const Pose2& T_world_start,
-                                                   std::uint64_t seed, std::optional<InterruptedRun> former,
+/// Lets a vehicle explore from where it stands, or continue an interrupted run (`former`) where that ended.
+/// @param truth  of the vehicle; null: unknown
+Result<ExplorationMissionResult> drive_exploration(Vehicle& vehicle, const TruthSource* truth,
+                                                   ExplorerNavigator& navigator,
+                                                   std::optional<InterruptedRun> former,
                                                    std::optional<SessionRecord>& session, Progress& progress);
 
 }  // namespace aisle

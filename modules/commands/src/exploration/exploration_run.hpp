@@ -5,22 +5,25 @@
 #include <vector>
 
 #include "aisle/formats/sessions/session_cycles.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
+#include "aisle/vehicle/truth_source.hpp"
+#include "aisle/vehicle/vehicle.hpp"
 
 namespace aisle {
 
 /// An interrupted run, as its session recorded it.
 struct InterruptedRun {
   SessionCycles cycles;
-  std::vector<Pose2> T_world_vehicle;  ///< true poses, one per cycle; not empty
+  std::vector<Pose2> T_world_vehicle;  ///< true poses, one per cycle; empty: the vehicle was not simulated
 };
 
 /// A vehicle that may continue an interrupted run: it first replays the recorded observations, so that the
-/// explorer knows again what it knew, then continues in the simulator from where the vehicle stood.
-class ExplorationRun final : public Vehicle {
+/// explorer knows again what it knew, then continues with the vehicle, which stands where the run ended.
+class ExplorationRun final : public Vehicle, public TruthSource {
  public:
-  ExplorationRun(SimulatedVehicle& vehicle, std::optional<InterruptedRun> former)
-      : vehicle_(vehicle), former_(std::move(former)), was_interrupted_(former_.has_value()) {}
+  /// @param truth   of the vehicle; null: unknown. Both must outlive the run
+  /// @param former  with true poses if the vehicle's truth is known
+  ExplorationRun(Vehicle& vehicle, const TruthSource* truth, std::optional<InterruptedRun> former)
+      : vehicle_(vehicle), known_truth_(truth), former_(std::move(former)) {}
 
   const VehicleDescription& description() const override { return vehicle_.description(); }
   /// nullopt also if the session cannot be read any further: then problems() says why.
@@ -30,21 +33,24 @@ class ExplorationRun final : public Vehicle {
   }
   void act(const Command& command) override;
 
-  bool was_interrupted() const { return was_interrupted_; }
-  /// True pose of the vehicle, recorded while the run is replayed.
-  const Pose2& T_world_vehicle() const;
-  double path_m() const { return former_path_m_ + vehicle_.truth().path_m; }
+  /// The truth since the interrupted run began, but for its collisions, which no session records.
+  const Truth& truth() const override { return truth_; }
+  /// This, or null if the vehicle's truth is unknown.
+  const TruthSource* truth_source() const { return known_truth_ == nullptr ? nullptr : this; }
+
   const Problems& problems() const { return problems_; }
 
  private:
   std::optional<Observation> sense_again();
+  std::optional<Observation> sense_on();
 
-  SimulatedVehicle& vehicle_;
+  Vehicle& vehicle_;
+  const TruthSource* known_truth_;
   std::optional<InterruptedRun> former_;  ///< reset once all of it has been replayed
-  bool was_interrupted_;
-  std::size_t sensed_ = 0;  ///< cycles of it that have been replayed
-  double former_s_ = 0;     ///< time stamp of its end
+  std::size_t sensed_ = 0;                ///< cycles of it that have been replayed
+  double former_s_ = 0;                   ///< time stamp of its end
   double former_path_m_ = 0;
+  Truth truth_;
   Problems problems_;
 };
 

@@ -5,7 +5,7 @@
 
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/guidance/hand_driver.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
+#include "set_down.hpp"
 
 namespace aisle {
 namespace {
@@ -13,12 +13,13 @@ namespace {
 /// Records a run that a person drives.
 class TaughtRunRecord final : public MissionRecord {
  public:
-  TaughtRunRecord(const LandmarkSightingParams& params, const SimulatedVehicle& vehicle)
-      : collector_(params, vehicle.description()), vehicle_(vehicle) {}
+  TaughtRunRecord(const LandmarkSightingParams& params, const VehicleDescription& vehicle,
+                  const TruthSource& truth)
+      : collector_(params, vehicle), truth_(truth) {}
 
   Result<Observation> keep(Observation observation) override {
     collector_.add(observation);
-    collector_.run.T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
+    collector_.run.T_world_vehicle.push_back(truth_.truth().T_world_vehicle);
     return observation;
   }
   Problems keep(const Decision&) override { return {}; }
@@ -27,7 +28,7 @@ class TaughtRunRecord final : public MissionRecord {
 
  private:
   LandmarkRunCollector collector_;
-  const SimulatedVehicle& vehicle_;
+  const TruthSource& truth_;
 };
 
 }  // namespace
@@ -54,23 +55,28 @@ Result<std::optional<LandmarkRun>> teach_run(const SimulationSetting& setting,
   SimulatedVehicle vehicle(setting.world, setting.vehicle, {}, {.seed = seed, .T_world_start = *start},
                            &person);
   HandDriver driver({});
-  TaughtRunRecord record(params.learner.sightings, vehicle);
+  TaughtRunRecord record(params.learner.sightings, vehicle.description(), vehicle);
   const auto end = run_mission(vehicle, driver, record, progress);
   if (!end) return end.problems();
   if (!person.has_arrived()) return std::optional<LandmarkRun>();
   return std::optional<LandmarkRun>(record.take());
 }
 
-Result<LandmarkMissionResult> drive_alone(const SimulationSetting& setting,
+Result<JudgedLandmarkMission> drive_alone(const SimulationSetting& setting,
                                           const LandmarkCourseParams& params, const Building& building,
-                                          const MapTruth& truth, const LandmarkMissionOptions& options,
+                                          const MapTruth& truth, std::uint64_t seed, bool in_reverse,
                                           Progress& progress) {
-  const LandmarkMission mission{building_json(building), building.routes.front().name, options.in_reverse};
+  const LandmarkMission mission{building_json(building), building.routes.front().name, in_reverse};
   const auto driver =
       LandmarkDriver::make(LandmarkDriver::origin(params.navigator, mission), setting.vehicle.description);
   if (!driver) return driver.problems();
+  const Path& path = (*driver)->path();
+  const Pose2 T_world_start = truth.in_world(path.at(0).T_map_path, truth.start(in_reverse));
+  SimulatedVehicle vehicle = vehicle_in(setting, set_down_for_landmarks(setting, T_world_start, seed), seed);
   std::optional<SessionRecord> no_session;
-  return drive_landmark_mission(setting, **driver, truth, options, no_session, progress);
+  auto driven = drive_landmark_mission(vehicle, &vehicle, **driver, no_session, progress);
+  if (!driven) return driven.problems();
+  return judged(std::move(*driven), truth, path, in_reverse);
 }
 
 std::optional<ScenarioEvent> lift_on_route(const SimulationSetting& setting, const Path& path,

@@ -8,6 +8,7 @@
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
 #include "aisle/simulation/operators/scripted_operator.hpp"
+#include "landmarks/landmark_evaluation.hpp"
 #include "landmarks/landmark_learning_result.hpp"
 #include "landmarks/landmark_mission.hpp"
 #include "landmarks/landmark_run.hpp"
@@ -32,10 +33,12 @@ Result<std::optional<LandmarkRun>> teach_run(const SimulationSetting& setting,
                                              const LandmarkCourseParams& params, std::uint64_t seed,
                                              Progress& progress);
 
-/// The vehicle drives the taught route autonomously, by the landmarks of `building`.
-Result<LandmarkMissionResult> drive_alone(const SimulationSetting& setting,
+/// The vehicle, put down near its start, drives the taught route autonomously, by the landmarks of
+/// `building`.
+/// @param in_reverse  drives the return path
+Result<JudgedLandmarkMission> drive_alone(const SimulationSetting& setting,
                                           const LandmarkCourseParams& params, const Building& building,
-                                          const MapTruth& truth, const LandmarkMissionOptions& options,
+                                          const MapTruth& truth, std::uint64_t seed, bool in_reverse,
                                           Progress& progress);
 
 /// A kidnapping: the vehicle is lifted somewhere on its path and put down `lift_m` ahead or back, with nearly

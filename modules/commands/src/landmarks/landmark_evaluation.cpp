@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "rounded.hpp"
+#include "statistics.hpp"
+
 namespace aisle {
 namespace {
 
@@ -101,6 +104,40 @@ void MissionJudge::add(double stamp_s, const LandmarkFix& fix, const Pose2& T_wo
   errors_.across_m.add(error.y);
   errors_.heading_rad.add(error.theta);
   errors_.tracking_m.add((T_map_true.position() - nearest.T_map_path.position()).norm());
+}
+
+JudgedLandmarkMission judged(LandmarkMissionResult mission, const MapTruth& truth, const Path& path,
+                             bool in_reverse) {
+  if (!mission.is_simulated()) return {std::move(mission), std::nullopt};
+  MissionJudge judge(truth, path, in_reverse);
+  for (std::size_t i = 0; i < mission.fixes.size(); ++i)
+    judge.add(mission.cycles[i].stamp_s, mission.fixes[i], mission.T_world_vehicle[i]);
+  return {std::move(mission), judge.errors()};
+}
+
+nlohmann::ordered_json figures_of(const JudgedLandmarkMission& judged) {
+  const LandmarkMissionResult& mission = judged.mission;
+  nlohmann::ordered_json localisation, tracking;
+  if (judged.errors) {
+    const MissionErrors& errors = *judged.errors;
+    localisation = {{"across_rmse_m", rounded(errors.across_m.rms(), 4)},
+                    {"along_rmse_m", rounded(errors.along_m.rms(), 4)},
+                    {"heading_rmse_deg", rounded(to_degrees(errors.heading_rad.rms()), 3)},
+                    {"wrong_confident", errors.wrong_confident},
+                    {"knew_place_at_end", errors.knew_place_at_end}};
+    tracking = {{"rmse_m", rounded(errors.tracking_m.rms(), 4)},
+                {"max_m", rounded(errors.tracking_m.worst(), 4)}};
+  }
+  return known_figures({{"arrived", mission.end.arrived},
+                        {"state", mission.end.state},
+                        {"why", mission.end.why},
+                        {"collisions", if_known(mission.collisions())},
+                        {"lost_count", mission.lost_count},
+                        {"distance_m", rounded(mission.distance_m(), 3)},
+                        {"duration_s", rounded(mission.end.duration_s, 3)},
+                        {"localisation", std::move(localisation)},
+                        {"tracking", std::move(tracking)},
+                        {"cycle_ms", cycle_figures(mission.cycle_s)}});
 }
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// How well a simulated mission localised itself and followed its path. No navigator ever sees any of this.
+/// How well a mission localised itself and followed its path. No navigator ever sees any of this.
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -11,6 +11,7 @@
 #include "aisle/control/path_progress.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/guidance/landmarks/landmark_navigator.hpp"
+#include "landmarks/landmark_mission.hpp"
 
 namespace aisle {
 
@@ -96,5 +97,19 @@ class MissionJudge {
   std::optional<double> wrong_since_s_;  ///< and sure
   MissionErrors errors_;
 };
+
+/// A mission and, where the truth is known, its errors.
+struct JudgedLandmarkMission {
+  LandmarkMissionResult mission;
+  std::optional<MissionErrors> errors;
+};
+
+/// Judges a mission along `path`.
+/// @param in_reverse  the path is a route's return path
+JudgedLandmarkMission judged(LandmarkMissionResult mission, const MapTruth& truth, const Path& path,
+                             bool in_reverse);
+
+/// The figures of a mission as `navigate` prints them.
+nlohmann::ordered_json figures_of(const JudgedLandmarkMission& judged);
 
 }  // namespace aisle

@@ -30,7 +30,7 @@ struct Experiment {
   Building initial;
   Building refined;
   std::vector<LandmarkTruth> landmarks;  ///< one more than runs
-  std::vector<LandmarkMissionResult> runs;
+  std::vector<JudgedLandmarkMission> runs;
 };
 
 Result<Experiment> run_experiment(const SimulationSetting& setting, const LandmarkCourseParams& params,
@@ -51,9 +51,9 @@ Result<Experiment> run_experiment(const SimulationSetting& setting, const Landma
   for (std::uint64_t run = 1; run <= kRefinements; ++run) {
     within.begin(run);
     auto driven =
-        drive_alone(setting, params, experiment.refined, truth, {.seed = 1000 * (seed + 1) + run}, within);
+        drive_alone(setting, params, experiment.refined, truth, 1000 * (seed + 1) + run, false, within);
     if (!driven) return driven.problems();
-    refine_by(*driven, setting.vehicle.description, params.learner.learning, experiment.refined);
+    refine_by(driven->mission, setting.vehicle.description, params.learner.learning, experiment.refined);
     experiment.landmarks.push_back(compare_with_truth(experiment.refined.landmarks, truth, edges));
     experiment.runs.push_back(std::move(*driven));
   }
@@ -93,7 +93,7 @@ std::string text_of(const Experiment& experiment) {
   };
   text += fmt::format("{:<48}{}", "taught", landmarks(experiment.landmarks.front()));
   for (std::size_t i = 0; i < experiment.runs.size(); ++i) {
-    const MissionErrors& errors = experiment.runs[i].errors;
+    const MissionErrors& errors = *experiment.runs[i].errors;
     text += fmt::format("{:>4}  {:>4.1f}cm {:>4.1f}cm  {:>4.2f}deg  {:>6.1f}cm {:>4.1f}cm {}", i + 1,
                         100 * errors.across_m.rms(), 100 * errors.along_m.rms(),
                         to_degrees(errors.heading_rad.rms()), 100 * errors.tracking_m.rms(),
@@ -116,7 +116,7 @@ std::vector<OutputFile> files_of(const Experiment& experiment) {
           {"refined", kRefinedPicture,
            landmarks_picture(experiment.refined, title("11(b)", experiment.landmarks.back()))},
           {"trace", kTracePicture,
-           trace_picture(experiment.refined, experiment.runs.back(),
+           trace_picture(experiment.refined, experiment.runs.back().mission,
                          "C98 Fig. 12, simulated: planned path and trace")}};
 }
 
@@ -136,8 +136,8 @@ Result<Outcome> reproduce_c98(const ReproduceOptions& options, const LandmarkCou
   Outcome outcome{.verb = "reproduce"};
   outcome.figures = figures_of(*experiment);
   outcome.text = text_of(*experiment);
-  for (const LandmarkMissionResult& run : experiment->runs)
-    outcome.ok = outcome.ok && run.end.arrived && run.collisions == 0;
+  for (const JudgedLandmarkMission& run : experiment->runs)
+    outcome.ok = outcome.ok && run.mission.end.arrived && run.mission.is_unharmed();
   if (!*directory) return outcome;
   auto files = (*directory)->write(files_of(*experiment));
   if (!files) return files.problems();

@@ -1,20 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/park.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/guidance/rooms/room_cameras.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "changed_parameters.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
-#include "rooms/room_mission.hpp"
+#include "rooms/room_evaluation.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rooms/room_visit.hpp"
-#include "simulated_record.hpp"
 
 namespace aisle {
 namespace {
@@ -33,19 +32,19 @@ struct RoomDrive {
 };
 
 Outcome room_outcome(const std::string& verb, const RoomDrive& drive, const Route& route,
-                     const RoomMissionResult& result) {
+                     const JudgedRoomMission& judged) {
+  const RoomMissionResult& result = judged.mission;
   Outcome outcome{.verb = verb, .ok = result.parked()};
-  outcome.figures = figures_of(result);
-  outcome.figures["simulated"] = true;
+  outcome.figures = figures_of(judged);
+  outcome.figures["simulated"] = result.is_simulated();
   outcome.figures["seed"] = drive.seed;
   outcome.figures["route"] = route.name;
   if (!drive.out.empty()) outcome.files["session"] = drive.out.string();
-  outcome.text = fmt::format(
-      "simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}\n"
-      "end error {:.1f} cm and {:.2f} deg, {:.2f} m free ahead\n",
-      result.end.state, result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
-      result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s", 100 * result.end_error_m,
-      to_degrees(result.end_error_rad), result.clearance_m);
+  outcome.text = mission_text(result) + "\n";
+  if (judged.errors)
+    outcome.text +=
+        fmt::format("end error {:.1f} cm and {:.2f} deg, {:.2f} m free ahead\n", 100 * judged.errors->end_m,
+                    to_degrees(judged.errors->end_rad), judged.errors->clearance_m);
   return outcome;
 }
 
@@ -77,7 +76,6 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   const SessionOrigin origin{.navigator = kRoomNavigator,
                              .parameters = changed_parameters(params),
                              .seed = drive.seed,
-                             .simulated = true,
                              .building = *text,
                              .route = route->name};
   const auto navigator = make_room_navigator(origin, vehicle);
@@ -85,16 +83,16 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   keep_cameras(vehicle, cameras_for(*route));
   if (!fits(setting->world, vehicle.footprint, T_world_start))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at its start in this world"};
-  auto session = open_session(drive.out, drive.force, vehicle, origin, console.watcher);
+  SimulatedVehicle driven = vehicle_in(*setting, T_world_start, drive.seed);
+  auto session = open_session(drive.out, drive.force, driven, &driven, origin, console.watcher);
   if (!session) return session.problems();
   const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end(),
                                     params.navigator.frame_backing.wanted);
-  const auto result = drive_room_mission(
-      *setting, **navigator, {.seed = drive.seed, .T_world_start = T_world_start, .T_world_due = T_world_due},
-      *session, console.progress);
-  if (!result) return result.problems();
+  auto mission = drive_room_mission(driven, &driven, **navigator, *session, console.progress);
+  if (!mission) return mission.problems();
   if (const Problems problems = close(*session); !problems.empty()) return problems;
-  return room_outcome(verb, drive, *route, *result);
+  return room_outcome(verb, drive, *route,
+                      judged(std::move(*mission), setting->world, vehicle.footprint, T_world_due));
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ namespace {
 /// Records a drive with the true poses.
 class RoomRunRecord final : public MissionRecord {
  public:
-  RoomRunRecord(const RoomLearnerParams& params, const SimulatedVehicle& vehicle)
-      : collector(params, vehicle.description()), vehicle_(vehicle) {}
+  RoomRunRecord(const RoomLearnerParams& params, const VehicleDescription& vehicle, const TruthSource& truth)
+      : collector(params, vehicle), truth_(truth) {}
 
   Result<Observation> keep(Observation observation) override {
     collector.add(observation);
-    T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
+    T_world_vehicle.push_back(truth_.truth().T_world_vehicle);
     return observation;
   }
   Problems keep(const Decision&) override { return {}; }
@@ -29,7 +29,7 @@ class RoomRunRecord final : public MissionRecord {
   std::vector<Pose2> T_world_vehicle;
 
  private:
-  const SimulatedVehicle& vehicle_;
+  const TruthSource& truth_;
 };
 
 Result<TaughtRoute> teach_route(const SimulationSetting& setting, const WorldRoute& world_route,
@@ -42,7 +42,7 @@ Result<TaughtRoute> teach_route(const SimulationSetting& setting, const WorldRou
   SimulatedVehicle vehicle(taught.world, taught.vehicle, {},
                            {.seed = seed, .T_world_start = start_of(world_route)}, &person);
   HandDriver driver({});
-  RoomRunRecord record(params.learner, vehicle);
+  RoomRunRecord record(params.learner, vehicle.description(), vehicle);
   const auto end = run_mission(vehicle, driver, record, progress);
   if (!end) return end.problems();
   if (!person.has_arrived())

@@ -9,14 +9,14 @@
 #include "aisle/core/random.hpp"
 #include "aisle/guidance/rooms/room_cameras.hpp"
 #include "aisle/simulation/buildings/turning_course.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "methods.hpp"
 #include "mission_count.hpp"
 #include "not_taught.hpp"
-#include "rooms/room_mission.hpp"
+#include "rooms/room_evaluation.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rooms/taught_rooms.hpp"
 #include "rounded.hpp"
+#include "set_down.hpp"
 #include "statistics.hpp"
 
 namespace aisle {
@@ -46,21 +46,23 @@ struct RoomTrial {
   NotTaught not_taught;
 
   bool all_well() const { return missions > 0 && arrived == missions; }
-  void add(const RoomMissionResult& result, std::uint64_t seed, const std::string& route) {
+  void add(const JudgedRoomMission& judged, std::uint64_t seed, const std::string& route) {
+    const RoomMissionResult& result = judged.mission;
+    const RoomErrors& errors = *judged.errors;
     ++missions;
-    const bool is_at_place = result.end_error_m < kFalseStop_m;
+    const bool is_at_place = errors.end_m < kFalseStop_m;
     arrived += result.parked() && is_at_place ? 1U : 0U;
     false_stops += result.end.arrived && !is_at_place ? 1U : 0U;
-    stopped += !result.end.arrived && result.collisions == 0 ? 1U : 0U;
-    collisions += result.collisions;
+    stopped += !result.end.arrived && result.is_unharmed() ? 1U : 0U;
+    collisions += result.truth->collisions;
     if (result.end.arrived) {
-      end_m.add(result.end_error_m);
-      end_deg.add(to_degrees(result.end_error_rad));
-      clearance_m.add(result.clearance_m);
+      end_m.add(errors.end_m);
+      end_deg.add(to_degrees(errors.end_rad));
+      clearance_m.add(errors.clearance_m);
     }
     cycle_s.insert(cycle_s.end(), result.cycle_s.begin(), result.cycle_s.end());
     Json run = {{"seed", seed}, {"route", route}};
-    run.update(figures_of(result));
+    run.update(figures_of(judged));
     runs.push_back(std::move(run));
   }
   double share(std::size_t count) const {
@@ -68,20 +70,20 @@ struct RoomTrial {
   }
 };
 
-Result<RoomMissionResult> drive_taught(SimulationSetting setting, const TaughtRoute& taught,
+Result<JudgedRoomMission> drive_taught(SimulationSetting setting, const TaughtRoute& taught,
                                        const RoomNavigatorParams& params, std::uint64_t seed,
                                        const Pose2& T_world_start, double from_m, Progress& progress) {
   VehicleDescription& vehicle = setting.vehicle.description;
   const ParkingStrategy parking = taught.route.room->parking;
   RoomNavigator navigator(params, vehicle, taught.route, from_m);
   keep_cameras(vehicle, cameras_for(taught.route));
+  SimulatedVehicle driven = vehicle_in(setting, T_world_start, 1000 * (seed + 1));
   std::optional<SessionRecord> no_session;
-  return drive_room_mission(setting, navigator,
-                            {.seed = 1000 * (seed + 1),
-                             .T_world_start = T_world_start,
-                             .T_world_due = due_end(setting.world, vehicle.footprint, parking,
-                                                    taught.place.end(), params.frame_backing.wanted)},
-                            no_session, progress);
+  auto mission = drive_room_mission(driven, &driven, navigator, no_session, progress);
+  if (!mission) return mission.problems();
+  return judged(
+      std::move(*mission), setting.world, vehicle.footprint,
+      due_end(setting.world, vehicle.footprint, parking, taught.place.end(), params.frame_backing.wanted));
 }
 
 Result<SimulationSetting> room_setting(const TrialOptions& options, const RoomLook& look,
@@ -181,14 +183,14 @@ Json park_figures(const RoomTrial& trial) {
 }  // namespace
 
 Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console) {
-  const auto missions = drive_missions(
-      options, params, {}, console,
-      [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
-        Random random(seed);
-        SimulationSetting today = on_another_day(setting, params.change, random);
-        const Pose2 T_world_start = set_down(today, about(taught.place.at(0), 0.02, 1 * kDegree), seed);
-        return MissionBegin{std::move(today), T_world_start};
-      });
+  const auto missions =
+      drive_missions(options, params, {}, console,
+                     [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
+                       Random random(seed);
+                       SimulationSetting today = on_another_day(setting, params.change, random);
+                       const Pose2 T_world_start = set_down_on_route(today, taught.place.at(0), seed);
+                       return MissionBegin{std::move(today), T_world_start};
+                     });
   if (!missions) return missions.problems();
   const RoomTrial& trial = *missions;
   Outcome outcome{.verb = "trial", .ok = trial.all_well()};
@@ -284,9 +286,8 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
       Random random(seed);
       const SimulationSetting today =
           on_another_day(setting, {.furniture_m = 0, .light_share = params.change.light_share}, random);
-      const auto result =
-          drive_taught(today, **taught, params.navigator, seed,
-                       set_down(today, about((*taught)->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
+      const auto result = drive_taught(today, **taught, params.navigator, seed,
+                                       set_down_on_route(today, (*taught)->place.at(0), seed), 0, within);
       if (!result) return result.problems();
       trial.add(*result, seed, setting.world.name);
     }

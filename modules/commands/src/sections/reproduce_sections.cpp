@@ -14,7 +14,6 @@
 #include "reproduced.hpp"
 #include "rounded.hpp"
 #include "sections/section_course.hpp"
-#include "sections/section_mission.hpp"
 #include "statistics.hpp"
 
 namespace aisle {
@@ -25,10 +24,10 @@ constexpr const char* kSectionsFigure = "fig4_sections.svg";
 constexpr const char* kTripFigure = "there_and_back.svg";
 constexpr const char* kPicturesFigure = "fig7_pictures.png";
 
-nlohmann::ordered_json figures_of(const SectionLearningResult& learned, const SectionMissionResult& run,
+nlohmann::ordered_json figures_of(const SectionLearningResult& learned, const JudgedSectionMission& run,
                                   double speed_mps) {
   auto figures = figures_of(run);
-  figures["simulated"] = true;
+  figures["simulated"] = run.mission.is_simulated();
   figures["paper"] = {{"speed_mps", kL03Speed_mps}};
   figures["speed_mps"] = speed_mps;
   figures["length_m"] = rounded(learned.building.routes.front().path.length_m(), 3);
@@ -37,7 +36,10 @@ nlohmann::ordered_json figures_of(const SectionLearningResult& learned, const Se
   return figures;
 }
 
-std::string text_of(const SectionLearningResult& learned, const SectionMissionResult& run, double speed_mps) {
+std::string text_of(const SectionLearningResult& learned, const JudgedSectionMission& judged,
+                    double speed_mps) {
+  const SectionMissionResult& run = judged.mission;
+  const SectionErrors& errors = *judged.errors;
   const Route& route = learned.building.routes.front();
   std::string text = fmt::format("simulated; learned from one drive: {:.1f} m in {} sections\n",
                                  route.path.length_m(), route.sections.size());
@@ -49,9 +51,9 @@ std::string text_of(const SectionLearningResult& learned, const SectionMissionRe
       "home within      no figure            {:.1f} cm, {:.2f} deg\n"
       "distance kept    no figure            {:.1f} cm (rms, right base line)\n"
       "a cycle          no figure            {:.1f} ms (median)\n",
-      kL03Speed_mps, speed_mps, run.end.state, run.end.arrived ? "" : ", " + run.end.why, run.distance_m,
-      run.end.duration_s, run.collisions, 100 * run.closing_error_m, to_degrees(run.closing_error_rad),
-      100 * run.wall_distance_m.rms(), 1000 * quantile(run.cycle_s, 0.5));
+      kL03Speed_mps, speed_mps, run.end.state, run.end.arrived ? "" : ", " + run.end.why, run.distance_m(),
+      run.end.duration_s, run.truth->collisions, 100 * errors.closing_m, to_degrees(errors.closing_rad),
+      100 * errors.wall_distance_m.rms(), 1000 * quantile(run.cycle_s, 0.5));
   return text;
 }
 
@@ -87,22 +89,15 @@ Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTria
   const auto course = teach_sections(*setting, params.learner, options.seed, 1, within);
   if (!course) return course.problems();
   const SectionLearningResult& learned = course->learned;
-  const VehicleDescription& vehicle = setting->vehicle.description;
-  const SectionList& sections = learned.building.routes.front().sections;
-  SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
-                             guided_path(sections, learned.driven.T_route_start, SectionRun::kThereAndBack));
-  std::optional<SessionRecord> no_session;
   within.begin(1);
-  const auto run = drive_section_mission(
-      *setting, navigator,
-      {.seed = 1000 * (options.seed + 1), .T_world_map = course->T_world_map, .keep_images = true},
-      no_session, within);
+  const auto run =
+      drive_there_and_back(*setting, params.navigator, *course, 1000 * (options.seed + 1), true, within);
   if (!run) return run.problems();
-  Outcome outcome{.verb = "reproduce", .ok = run->end.arrived && run->collisions == 0};
+  Outcome outcome{.verb = "reproduce", .ok = run->mission.end.arrived && run->mission.is_unharmed()};
   outcome.figures = figures_of(learned, *run, params.navigator.speed.speed_mps);
   outcome.text = text_of(learned, *run, params.navigator.speed.speed_mps);
   if (!*directory) return outcome;
-  auto files = (*directory)->write(files_of(learned, *run));
+  auto files = (*directory)->write(files_of(learned, run->mission));
   if (!files) return files.problems();
   outcome.files = std::move(*files);
   return outcome;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "sections/section_evaluation.hpp"
 #include "sections/section_learning_result.hpp"
 #include "simulation_setting.hpp"
 
@@ -17,5 +18,11 @@ struct SectionCourse {
 /// not: the person did not get through, or went nowhere.
 Result<SectionCourse> teach_sections(const SimulationSetting& setting, const SectionLearnerParams& params,
                                      std::uint64_t seed, int teachings, Progress& progress);
+
+/// The vehicle, put down near the course's start, drives there and back.
+Result<JudgedSectionMission> drive_there_and_back(const SimulationSetting& setting,
+                                                  const SectionNavigatorParams& params,
+                                                  const SectionCourse& course, std::uint64_t seed,
+                                                  bool keeps_images, Progress& progress);
 
 }  // namespace aisle

@@ -13,7 +13,6 @@
 #include "not_taught.hpp"
 #include "rounded.hpp"
 #include "sections/section_course.hpp"
-#include "sections/section_mission.hpp"
 #include "sections/section_verbs.hpp"
 #include "statistics.hpp"
 #include "trial_setting.hpp"
@@ -129,34 +128,30 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
                           SectionTrial& trial, Progress& progress) {
   const auto setting = section_setting(options, seed);
   if (!setting) return setting.problems();
-  const VehicleDescription& vehicle = setting->vehicle.description;
   const auto course = teach_sections(*setting, params.learner, seed, options.teachings, progress);
   if (!course) {
     trial.not_taught.add(seed, to_string(course.problems()));
     return {};
   }
-  const SectionLearningResult& taught = course->learned;
-  const SectionList& sections = taught.building.routes.front().sections;
+  const SectionList& sections = course->learned.building.routes.front().sections;
   const std::string due = due_letters(setting->world.tour, params.learner.learning);
   const std::string learned = letters_of(sections);
   trial.letters += std::max(due.size(), learned.size());
   trial.letters_wrong += edit_distance(due, learned);
-  SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
-                             guided_path(sections, taught.driven.T_route_start, SectionRun::kThereAndBack));
-  std::optional<SessionRecord> no_session;
-  const auto result = drive_section_mission(*setting, navigator,
-                                            {.seed = 1000 * (seed + 1), .T_world_map = course->T_world_map},
-                                            no_session, progress);
+  const auto result =
+      drive_there_and_back(*setting, params.navigator, *course, 1000 * (seed + 1), false, progress);
   if (!result) return result.problems();
+  const SectionMissionResult& mission = result->mission;
+  const SectionErrors& errors = *result->errors;
   ++trial.missions;
-  trial.arrived += result->end.arrived ? 1U : 0U;
-  trial.collisions += result->collisions;
-  if (result->end.arrived) {
-    trial.closing_m.add(result->closing_error_m);
-    trial.closing_deg.add(to_degrees(result->closing_error_rad));
+  trial.arrived += mission.end.arrived ? 1U : 0U;
+  trial.collisions += mission.truth->collisions;
+  if (mission.end.arrived) {
+    trial.closing_m.add(errors.closing_m);
+    trial.closing_deg.add(to_degrees(errors.closing_rad));
   }
-  if (result->wall_distance_m.count() > 0) trial.wall_m.add(result->wall_distance_m.rms());
-  trial.cycle_s.insert(trial.cycle_s.end(), result->cycle_s.begin(), result->cycle_s.end());
+  if (errors.wall_distance_m.count() > 0) trial.wall_m.add(errors.wall_distance_m.rms());
+  trial.cycle_s.insert(trial.cycle_s.end(), mission.cycle_s.begin(), mission.cycle_s.end());
   Json run = {{"seed", seed},
               {"world", setting->world.name.empty() ? setting->world_file.string() : setting->world.name},
               {"sections", learned},

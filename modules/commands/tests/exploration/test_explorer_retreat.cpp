@@ -50,7 +50,7 @@ RoomRun drive_into_room(const World& world, std::uint64_t seed) {
   RoomRun driven;
   std::vector<Vec2> path_in;
   while (run.goes_on(kTimeMax_s)) {
-    const SimulatedTruth before = run.vehicle.truth();
+    const Truth before = run.vehicle.truth();
     run.step();
     if (run.last.state == "retreating") {
       driven.back_m += run.vehicle.truth().path_m - before.path_m;

@@ -8,20 +8,24 @@
 #include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/guidance/mission.hpp"
 #include "aisle/maps/floor_grid.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
+#include "aisle/vehicle/truth_source.hpp"
 #include "viewer_messages.hpp"
 
 namespace aisle {
 
-/// Records a simulated mission and its ground truth in a session, if there is one.
-class SimulatedRecord : public MissionRecord {
+/// Records a mission in a session, if there is one, and the truth where it is known. What it shows has the
+/// stamp of the latest observation.
+class MissionRecorder : public MissionRecord {
  public:
-  SimulatedRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle)
-      : session_(session), vehicle_(vehicle) {}
+  /// @param truth  null: unknown. All must outlive the recorder
+  MissionRecorder(std::optional<SessionRecord>& session, const Vehicle& vehicle, const TruthSource* truth)
+      : session_(session), vehicle_(vehicle), truth_(truth) {}
 
   Result<Observation> keep(Observation observation) override;
   Problems keep(const Decision& decision) override;
 
+  double stamp_s() const { return stamp_s_; }        ///< of the latest observation
+  double odometry_m() const { return odometry_m_; }  ///< distance travelled, as the wheels counted it
   std::size_t images() const { return images_; }
 
  protected:
@@ -38,10 +42,18 @@ class SimulatedRecord : public MissionRecord {
   bool is_watched() const { return session_ && session_->watcher() != nullptr; }
   /// Name of the camera of the cycle's first image; empty: no image was taken.
   const std::string& image_camera() const { return image_camera_; }
+  const Vehicle& vehicle() const { return vehicle_; }
+  /// True pose at the end of the cycle; null: unknown.
+  const Pose2* T_world_vehicle() const {
+    return truth_ == nullptr ? nullptr : &truth_->truth().T_world_vehicle;
+  }
 
  private:
   std::optional<SessionRecord>& session_;
-  const SimulatedVehicle& vehicle_;
+  const Vehicle& vehicle_;
+  const TruthSource* truth_;
+  double stamp_s_ = 0;
+  double odometry_m_ = 0;
   std::size_t images_ = 0;
   std::string image_camera_;
   double image_stamp_s_ = 0;
@@ -50,9 +62,14 @@ class SimulatedRecord : public MissionRecord {
 };
 
 /// Opens the session of a mission: recorded in `out` unless that is empty, and shown to `watcher` if not
-/// null; nullopt if neither.
+/// null; nullopt if neither. The session says whether the vehicle is simulated.
+/// @param truth  of the vehicle; null: unknown
 Result<std::optional<SessionRecord>> open_session(const std::filesystem::path& out, bool force,
-                                                  const VehicleDescription& vehicle,
+                                                  const Vehicle& vehicle, const TruthSource* truth,
+                                                  SessionOrigin origin, MessageSink* watcher);
+
+/// The session that shows a replay to `watcher`; nullopt if that is null.
+Result<std::optional<SessionRecord>> show_session(const VehicleDescription& vehicle,
                                                   const SessionOrigin& origin, MessageSink* watcher);
 
 /// Closes a session; what was recorded before an interruption stays.
