@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/commands/simulation_setting.hpp"
 #include "aisle/core/clock.hpp"
-#include "changed_parameters.hpp"
-#include "mission_result.hpp"
-#include "rounded.hpp"
-#include "simulation_setting.hpp"
+#include "aisle/core/rounded.hpp"
+#include "aisle/missions/changed_parameters.hpp"
+#include "aisle/missions/mission_result.hpp"
 
 namespace aisle {
 namespace {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/commands/set_down.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "exploration/guide_mission.hpp"
-#include "rounded.hpp"
-#include "set_down.hpp"
-#include "statistics.hpp"
+#include "aisle/missions/exploration/guide_mission.hpp"
+#include "aisle/missions/statistics.hpp"
 
 namespace aisle {
 namespace {

@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "aisle/commands/learned_files.hpp"
+#include "aisle/commands/methods.hpp"
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
-#include "landmarks/landmark_learning_result.hpp"
-#include "learned_files.hpp"
-#include "methods.hpp"
+#include "aisle/missions/landmarks/landmark_learning_result.hpp"
+#include "aisle/missions/taught_session.hpp"
 #include "rooms/room_verbs.hpp"
-#include "rounded.hpp"
 #include "sections/section_verbs.hpp"
-#include "sessions/session_run.hpp"
 
 namespace aisle {
 namespace {

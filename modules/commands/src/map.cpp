@@ -7,7 +7,8 @@
 
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
-#include "aisle/commands/process_usage.hpp"
+#include "aisle/core/process_usage.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/images/map_server.hpp"
 #include "aisle/formats/logs/relations.hpp"
@@ -17,7 +18,6 @@
 #include "aisle/learning/walls/relation_error.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "aisle/report/occupancy.hpp"
-#include "rounded.hpp"
 
 namespace aisle {
 namespace {

@@ -1,4 +1,4 @@
-#include "methods.hpp"
+#include "aisle/commands/methods.hpp"
 
 #include <fmt/format.h>
 

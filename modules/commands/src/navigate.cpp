@@ -6,20 +6,20 @@
 #include <memory>
 #include <utility>
 
+#include "aisle/commands/learned_files.hpp"
+#include "aisle/commands/methods.hpp"
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/commands/set_down.hpp"
 #include "aisle/core/clock.hpp"
+#include "aisle/core/rounded.hpp"
+#include "aisle/evaluation/landmarks/landmark_evaluation.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/sessions/session_writer.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "aisle/missions/route_name.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "landmarks/landmark_evaluation.hpp"
-#include "learned_files.hpp"
-#include "methods.hpp"
 #include "rooms/room_verbs.hpp"
-#include "rounded.hpp"
-#include "route_name.hpp"
 #include "sections/section_verbs.hpp"
-#include "set_down.hpp"
 
 namespace aisle {
 namespace {

@@ -1,4 +1,4 @@
-#include "set_down.hpp"
+#include "aisle/commands/set_down.hpp"
 
 #include "aisle/core/random.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"

@@ -1,14 +1,14 @@
-#include "simulation_setting.hpp"
+#include "aisle/commands/simulation_setting.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "aisle/commands/plan_reading.hpp"
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/worlds/scenario_yaml.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
-#include "plan_reading.hpp"
 
 namespace aisle {
 namespace {
@@ -33,12 +33,12 @@ Problems check_scenario(const std::string& file, const SimulationSetting& settin
 
 Result<World> read_world_or_plan(const std::filesystem::path& file, double plan_pixel_m) {
   if (!is_plan(file)) return read_world(file);
-  ConvertOptions convert{.plan = file, .resolution_m = plan_pixel_m};
+  const PlanOptions plan{.plan = file, .resolution_m = plan_pixel_m};
   SilentProgress silent;
   Console console{silent, [](const std::string&) {}};
-  auto world = world_of_plan(convert, console);
+  auto world = world_of_plan(plan, console);
   if (!world) return world;
-  return with_tour(std::move(*world), convert.run, console).world;
+  return with_tour(std::move(*world), {}, console).world;
 }
 
 }  // namespace

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "aisle/commands/methods.hpp"
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/missions/landmarks/landmark_run.hpp"
+#include "aisle/missions/rooms/room_driver.hpp"
+#include "aisle/missions/route_name.hpp"
 #include "aisle/simulation/operators/route_guide.hpp"
-#include "landmarks/landmark_run.hpp"
-#include "methods.hpp"
-#include "rooms/room_driver.hpp"
-#include "route_name.hpp"
 
 namespace aisle {
 

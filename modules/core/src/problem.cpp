@@ -2,6 +2,11 @@
 
 namespace aisle {
 
+Problems at_file(Problems problems, const std::string& file) {
+  for (Problem& problem : problems) problem.where.file = file;
+  return problems;
+}
+
 std::string to_string(const Problem& problem) {
   std::string text;
   if (!problem.where.file.empty()) {

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "aisle/commands/learned_files.hpp"
+#include "aisle/commands/methods.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/park.hpp"
+#include "aisle/evaluation/rooms/room_evaluation.hpp"
+#include "aisle/evaluation/rooms/route_in_world.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/guidance/rooms/room_cameras.hpp"
-#include "changed_parameters.hpp"
-#include "learned_files.hpp"
-#include "methods.hpp"
-#include "rooms/room_evaluation.hpp"
+#include "aisle/missions/changed_parameters.hpp"
 #include "rooms/room_verbs.hpp"
-#include "rooms/room_visit.hpp"
 
 namespace aisle {
 namespace {
@@ -30,6 +30,18 @@ struct RoomDrive {
   std::filesystem::path out;
   bool force = false;
 };
+
+/// How a route lies in the world: by the truth that learning wrote beside the building, else the route begins
+/// at the world's start.
+Result<RouteInWorld> route_in_world(const std::filesystem::path& building, const Route& route,
+                                    const SimulationSetting& setting) {
+  auto truth = read_map_truth(building);
+  if (!truth) return truth.problems();
+  if (!truth->empty()) return RouteInWorld(std::move(*truth), route);
+  const auto start = start_in(setting);
+  if (!start) return start.problems();
+  return RouteInWorld(MapTruth({route.path.at(0).T_map_path}, {*start}), route);
+}
 
 Outcome room_outcome(const std::string& verb, const RoomDrive& drive, const Route& route,
                      const JudgedRoomMission& judged) {
@@ -64,7 +76,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
                    fmt::format("the route '{}' was taught with another parking strategy", route->name)};
   if (params.navigator.frame_backing.wanted && route->room->parking != ParkingStrategy::kFrame)
     return Problem{{"--reverse"}, fmt::format("the route '{}' does not end in a painted frame", route->name)};
-  const auto place = RouteInWorld::read(drive.building, *route, *setting);
+  const auto place = route_in_world(drive.building, *route, *setting);
   if (!place) return place.problems();
   if (drive.T_world_start) {
     params.from_m = place->along_m(*drive.T_world_start);

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
+#include "aisle/commands/learned_files.hpp"
+#include "aisle/commands/methods.hpp"
+#include "aisle/commands/set_down.hpp"
 #include "aisle/core/clock.hpp"
+#include "aisle/core/rounded.hpp"
+#include "aisle/evaluation/sections/section_evaluation.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "aisle/missions/changed_parameters.hpp"
+#include "aisle/missions/landmarks/landmark_run.hpp"
+#include "aisle/missions/route_name.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "changed_parameters.hpp"
-#include "landmarks/landmark_run.hpp"
-#include "learned_files.hpp"
-#include "methods.hpp"
-#include "rounded.hpp"
-#include "route_name.hpp"
-#include "sections/section_evaluation.hpp"
 #include "sections/section_verbs.hpp"
-#include "set_down.hpp"
 
 namespace aisle {
 namespace {

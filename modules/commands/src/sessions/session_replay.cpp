@@ -5,11 +5,11 @@
 #include <optional>
 #include <utility>
 
-#include "aisle/commands/navigators.hpp"
 #include "aisle/formats/sessions/decision_text.hpp"
 #include "aisle/formats/sessions/recorded_vehicle.hpp"
 #include "aisle/guidance/mission.hpp"
-#include "mission_recorder.hpp"
+#include "aisle/missions/mission_recorder.hpp"
+#include "aisle/missions/navigators.hpp"
 
 namespace aisle {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "aisle/commands/set_down.hpp"
+#include "aisle/evaluation/exploration/exploration_evaluation.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/missions/exploration/guide_mission.hpp"
 #include "aisle/simulation/cross_section.hpp"
-#include "exploration/exploration_evaluation.hpp"
-#include "exploration/guide_mission.hpp"
 #include "explorer_run.hpp"
-#include "set_down.hpp"
 
 namespace aisle {
 namespace {

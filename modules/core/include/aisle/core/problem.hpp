@@ -20,6 +20,9 @@ struct Problem {
 
 using Problems = std::vector<Problem>;
 
+/// The same problems, located in a file.
+Problems at_file(Problems problems, const std::string& file);
+
 /// "file:line: key: what"
 std::string to_string(const Problem& problem);
 
