@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "aisle/commands/outcome.hpp"
 #include "aisle/core/result.hpp"
 #include "aisle/live/live_server.hpp"
 #include "aisle/live/service_call.hpp"

@@ -1,6 +1,8 @@
 #include "aisle/trials/trial.hpp"
 
-#include "aisle/commands/methods.hpp"
+#include <string_view>
+
+#include "aisle/commands/method.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "exploration/exploration_trial.hpp"
 #include "landmarks/landmark_trial.hpp"
@@ -22,6 +24,37 @@ struct TrialParams {
   }
 };
 
+Result<TrialParams> read_params(const TrialOptions& options) {
+  TrialParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  if (options.speed_mps)
+    params.landmarks.navigator.speed.speed_mps = params.sections.navigator.speed.speed_mps =
+        params.route.navigator.speed_mps = *options.speed_mps;
+  return params;
+}
+
+/// A trial with its part of the parameters.
+template <auto trial, auto part>
+Result<Outcome> with_params(const TrialOptions& options, Console& console) {
+  const auto params = read_params(options);
+  if (!params) return params.problems();
+  return trial(options, (*params).*part, console);
+}
+
+/// What `aisle trial` can try.
+struct Trial {
+  std::string_view name;
+  Result<Outcome> (*run)(const TrialOptions& options, Console& console);
+};
+
+constexpr Trial kTrials[] = {{"landmarks", with_params<trial_by_landmarks, &TrialParams::landmarks>},
+                             {"sections", with_params<trial_by_sections, &TrialParams::sections>},
+                             {"route", with_params<trial_by_route, &TrialParams::route>},
+                             {"turnings", with_params<trial_of_turnings, &TrialParams::route>},
+                             {"park", with_params<trial_of_parking, &TrialParams::route>},
+                             {"explore", run_exploration_trial}};
+
 }  // namespace
 
 Outcome trial_parameters() {
@@ -30,22 +63,10 @@ Outcome trial_parameters() {
 }
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
-  if (options.method == "explore") return run_exploration_trial(options, console);
-  const bool parks = options.method == "park", turns = options.method == "turnings";
-  if (Problems problems = check_method(parks || turns ? "route" : options.method); !problems.empty())
-    return problems;
-  TrialParams all;
-  FieldList fields = fields_of(all);
-  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  LandmarkCourseParams& params = all.landmarks;
-  if (options.speed_mps)
-    params.navigator.speed.speed_mps = all.sections.navigator.speed.speed_mps =
-        all.route.navigator.speed_mps = *options.speed_mps;
-  if (options.method == "sections") return trial_by_sections(options, all.sections, console);
-  if (turns) return trial_of_turnings(options, all.route, console);
-  if (parks) return trial_of_parking(options, all.route, console);
-  if (options.method == "route") return trial_by_route(options, all.route, console);
-  return trial_by_landmarks(options, params, console);
+  for (const Trial& trial : kTrials) {
+    if (trial.name == options.method) return trial.run(options, console);
+  }
+  return method_named(options.method).problems();
 }
 
 }  // namespace aisle

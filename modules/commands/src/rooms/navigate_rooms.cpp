@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "aisle/commands/learned_files.hpp"
-#include "aisle/commands/methods.hpp"
+#include "aisle/commands/method.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/park.hpp"
+#include "aisle/commands/simulation_setting.hpp"
 #include "aisle/evaluation/rooms/room_evaluation.hpp"
 #include "aisle/evaluation/rooms/route_in_world.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
@@ -67,7 +68,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   if (!text) return text.problems();
   const auto building = parse_building(*text, file);
   if (!building) return building.problems();
-  auto setting = read_setting(drive.world, vehicle_or_usual(drive.vehicle, "route"), drive.scenario);
+  auto setting = read_setting(drive.world, kRoomMethod.vehicle_or_usual(drive.vehicle), drive.scenario);
   if (!setting) return setting.problems();
   const auto route = find_room_route(*building, drive.route);
   if (!route) return at_file(route.problems(), file);

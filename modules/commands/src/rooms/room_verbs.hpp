@@ -1,8 +1,9 @@
 #pragma once
 /// The verbs of learning and driving with `--method route` (L96).
 
-#include "aisle/commands/learn.hpp"
-#include "aisle/commands/navigate.hpp"
+#include "aisle/commands/learn_options.hpp"
+#include "aisle/commands/navigate_options.hpp"
+#include "aisle/commands/outcome.hpp"
 #include "aisle/missions/rooms/room_driver.hpp"
 #include "aisle/missions/rooms/room_learning_result.hpp"
 

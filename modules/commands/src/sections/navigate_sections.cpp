@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "aisle/commands/learned_files.hpp"
-#include "aisle/commands/methods.hpp"
+#include "aisle/commands/method.hpp"
 #include "aisle/commands/set_down.hpp"
 #include "aisle/core/clock.hpp"
 #include "aisle/core/rounded.hpp"
@@ -53,7 +53,7 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   const auto building = parse_building(*text, file);
   if (!building) return building.problems();
   auto setting =
-      read_setting(options.world, vehicle_or_usual(options.vehicle, options.method), options.scenario);
+      read_setting(options.world, kSectionMethod.vehicle_or_usual(options.vehicle), options.scenario);
   if (!setting) return setting.problems();
   VehicleDescription& vehicle = setting->vehicle.description;
   SessionOrigin origin{.navigator = kSectionNavigator,

@@ -7,6 +7,7 @@
 
 #include "aisle/commands/exploration/judged_exploration.hpp"
 #include "aisle/core/rounded.hpp"
+#include "aisle/evaluation/exploration/exploration_evaluation.hpp"
 #include "mission_count.hpp"
 #include "trial_setting.hpp"
 

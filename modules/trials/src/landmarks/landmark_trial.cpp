@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "aisle/commands/methods.hpp"
+#include "aisle/commands/method.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/missions/statistics.hpp"
 #include "mission_count.hpp"
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 Result<SimulationSetting> landmark_setting(const TrialOptions& options, std::uint64_t seed) {
   auto setting =
-      setting_of_seed(options, seed, vehicle_or_usual(options.vehicle, options.method), kBuildingKinds);
+      setting_of_seed(options, seed, kLandmarkMethod.vehicle_or_usual(options.vehicle), kBuildingKinds);
   if (!setting) return setting.problems();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
     return at_file(problems, options.vehicle);

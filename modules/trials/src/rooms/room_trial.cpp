@@ -1,96 +1,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "aisle/commands/methods.hpp"
+#include "aisle/commands/method.hpp"
 #include "aisle/commands/set_down.hpp"
 #include "aisle/core/random.hpp"
-#include "aisle/core/rounded.hpp"
-#include "aisle/evaluation/rooms/room_evaluation.hpp"
 #include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/missions/rooms/room_driver.hpp"
 #include "aisle/missions/statistics.hpp"
-#include "aisle/simulation/buildings/turning_course.hpp"
 #include "mission_count.hpp"
-#include "not_taught.hpp"
+#include "rooms/room_missions.hpp"
 #include "rooms/room_trial.hpp"
-#include "rooms/taught_rooms.hpp"
 
 namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The same room on another day: with moved furniture and changed light.
-SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& change, Random& random) {
-  for (Furniture& piece : setting.world.furniture) {
-    piece.centre.x() += random.uniform(-change.furniture_m, change.furniture_m);
-    piece.centre.y() += random.uniform(-change.furniture_m, change.furniture_m);
-  }
-  LightChange& change_of_light = setting.scenario.events.emplace_back().fault.emplace<LightChange>();
-  change_of_light.light = 1 + random.uniform(-change.light_share, change.light_share);
-  return setting;
-}
-
-constexpr double kFalseStop_m = 0.5;  // a vehicle that parks farther away has taken another place for this
-
-/// Shares refer to the missions that were driven; without a taught run there is no mission.
-struct RoomTrial {
-  std::size_t missions = 0, arrived = 0, stopped = 0, collisions = 0, false_stops = 0;
-  Spread end_m, end_deg, clearance_m;
-  std::vector<double> cycle_s;
-  Json runs = Json::array();
-  NotTaught not_taught;
-
-  bool all_well() const { return missions > 0 && arrived == missions; }
-  void add(const JudgedRoomMission& judged, std::uint64_t seed, const std::string& route) {
-    const RoomMissionResult& result = judged.mission;
-    const RoomErrors& errors = *judged.errors;
-    ++missions;
-    const bool is_at_place = errors.end_m < kFalseStop_m;
-    arrived += result.parked() && is_at_place ? 1U : 0U;
-    false_stops += result.end.arrived && !is_at_place ? 1U : 0U;
-    stopped += !result.end.arrived && result.is_unharmed() ? 1U : 0U;
-    collisions += result.truth->collisions;
-    if (result.end.arrived) {
-      end_m.add(errors.end_m);
-      end_deg.add(to_degrees(errors.end_rad));
-      clearance_m.add(errors.clearance_m);
-    }
-    cycle_s.insert(cycle_s.end(), result.cycle_s.begin(), result.cycle_s.end());
-    Json run = {{"seed", seed}, {"route", route}};
-    run.update(figures_of(judged));
-    runs.push_back(std::move(run));
-  }
-  double share(std::size_t count) const {
-    return rounded(static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(missions, 1)), 4);
-  }
-};
-
-Result<JudgedRoomMission> drive_taught(SimulationSetting setting, const TaughtRoute& taught,
-                                       const RoomNavigatorParams& params, std::uint64_t seed,
-                                       const Pose2& T_world_start, double from_m, Progress& progress) {
-  VehicleDescription& vehicle = setting.vehicle.description;
-  const ParkingStrategy parking = taught.route.room->parking;
-  RoomNavigator navigator(params, vehicle, taught.route, from_m);
-  keep_cameras(vehicle, cameras_for(taught.route));
-  SimulatedVehicle driven = vehicle_in(setting, T_world_start, 1000 * (seed + 1));
-  std::optional<SessionRecord> no_session;
-  auto mission = drive_room_mission(driven, &driven, navigator, no_session, progress);
-  if (!mission) return mission.problems();
-  return judged(
-      std::move(*mission), setting.world, vehicle.footprint,
-      due_end(setting.world, vehicle.footprint, parking, taught.place.end(), params.frame_backing.wanted));
-}
-
 Result<SimulationSetting> room_setting(const TrialOptions& options, const RoomLook& look,
                                        std::uint64_t seed) {
   const std::string world =
       options.worlds.empty() ? "laboratory" : options.worlds[seed % options.worlds.size()];
-  auto setting = read_setting(world, vehicle_or_usual(options.vehicle, "route"), options.scenario);
+  auto setting = read_setting(world, kRoomMethod.vehicle_or_usual(options.vehicle), options.scenario);
   if (!setting) return setting.problems();
   Problems problems =
       unfit_for_rooms(setting->vehicle.description, {kFirstCamera, kSecondCamera, kThirdCamera});
@@ -235,78 +169,6 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
       "ended {:.1f} cm, {:.2f} deg off (mean), {:.1f} cm, {:.2f} deg (worst)\n",
       parking_word(options.strategy), trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
       100 * trial.end_m.mean(), trial.end_deg.mean(), 100 * trial.end_m.worst(), trial.end_deg.worst());
-  outcome.text += trial.not_taught.text();
-  return outcome;
-}
-
-/// The courses of `trial turnings`, by the numbers of their turnings.
-std::vector<std::pair<std::string, World>> turning_courses(const TrialOptions& options) {
-  std::vector<std::pair<std::string, World>> courses;
-  const auto add = [&](const std::string& name, const auto& make) {
-    Random random(options.first_seed);
-    courses.emplace_back(name, make(random));
-  };
-  if (options.close) {
-    add("6 then 5", [](Random& random) { return close_turnings_course(6, 5, random); });
-    add("8 then 7", [](Random& random) { return close_turnings_course(8, 7, random); });
-    return courses;
-  }
-  for (int number = 1; number <= kTurningNumbers; ++number)
-    add(std::to_string(number), [number](Random& random) { return turning_course(number, random); });
-  return courses;
-}
-
-/// Every seed changes the light in the room.
-Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
-                                  Console& console) {
-  auto vehicle = read_setting("", vehicle_or_usual(options.vehicle, "route"), options.scenario);
-  if (!vehicle) return vehicle.problems();
-  if (Problems problems = unfit_for_rooms(vehicle->vehicle.description, {kFirstCamera, kThirdCamera});
-      !problems.empty())
-    return problems;
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  const auto courses = turning_courses(options);
-  RoomTrial trial;
-  Json shares = Json::object();
-  MissionCount within(console.progress, "missions", courses.size() * seeds);
-  TaughtRoutes taught_routes(params, options.first_seed);
-  for (const auto& [name, world] : courses) {
-    SimulationSetting setting = *vehicle;
-    setting.world = world;
-    setting.world.name = "turning " + name;
-    const std::size_t missions_before = trial.missions, arrived_before = trial.arrived;
-    for (std::uint64_t i = 0; i < seeds; ++i) {
-      within.begin(trial.missions + trial.not_taught.size());
-      const std::uint64_t seed = options.first_seed + i;
-      const auto taught = taught_routes.taught(setting, world.routes.front(), seed, within);
-      if (!taught) {
-        trial.not_taught.add(seed, to_string(taught.problems()), setting.world.name);
-        continue;
-      }
-      Random random(seed);
-      const SimulationSetting today =
-          on_another_day(setting, {.furniture_m = 0, .light_share = params.change.light_share}, random);
-      const auto result = drive_taught(today, **taught, params.navigator, seed,
-                                       set_down_on_route(today, (*taught)->place.at(0), seed), 0, within);
-      if (!result) return result.problems();
-      trial.add(*result, seed, setting.world.name);
-    }
-    const std::size_t driven = trial.missions - missions_before, good = trial.arrived - arrived_before;
-    if (driven > 0) shares[name] = rounded(static_cast<double>(good) / static_cast<double>(driven), 4);
-  }
-  Outcome outcome{.verb = "trial", .ok = trial.all_well()};
-  outcome.figures = {{"missions", trial.missions},
-                     {"success_share", shares},
-                     {"success_share_all", trial.share(trial.arrived)},
-                     {"collisions", trial.collisions},
-                     {"safe_stop_share", trial.share(trial.stopped)},
-                     {"cycle_ms", cycle_figures(trial.cycle_s)},
-                     {"simulated", true},
-                     {"not_taught", trial.not_taught.json()},
-                     {"runs", trial.runs}};
-  outcome.text = fmt::format("simulated: {}, {} missions driven, {:.1f} % of them succeeded, {} collisions\n",
-                             options.close ? "two close turnings" : "thirteen turnings", trial.missions,
-                             100 * trial.share(trial.arrived), trial.collisions);
   outcome.text += trial.not_taught.text();
   return outcome;
 }

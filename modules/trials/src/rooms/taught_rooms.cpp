@@ -6,6 +6,7 @@
 #include "aisle/guidance/hand_driver.hpp"
 #include "aisle/guidance/mission.hpp"
 #include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/missions/rooms/room_driver.hpp"
 #include "aisle/simulation/operators/route_guide.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 

@@ -6,7 +6,6 @@
 #include <set>
 #include <string>
 
-#include "aisle/commands/simulation_setting.hpp"
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
 #include "aisle/evaluation/rooms/route_in_world.hpp"

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "aisle/commands/learned_files.hpp"
-#include "aisle/commands/methods.hpp"
+#include "aisle/commands/method.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/section_text.hpp"
 #include "aisle/geometry/polyline.hpp"
@@ -101,7 +101,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint64_t seed) {
   auto setting =
-      setting_of_seed(options, seed, vehicle_or_usual(options.vehicle, options.method), kCorridorBuildings);
+      setting_of_seed(options, seed, kSectionMethod.vehicle_or_usual(options.vehicle), kCorridorBuildings);
   if (!setting) return setting.problems();
   setting->world.tour = longest_without_turning_back(setting->world.tour);
   setting->world.start.reset();
