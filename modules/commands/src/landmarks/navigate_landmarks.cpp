@@ -122,7 +122,8 @@ Result<Outcome> navigate_by_landmarks(const NavigateOptions& options, const Land
   if (options.out.empty()) return outcome;
   const std::filesystem::path image = options.out / kDrivenImage;
   if (Problems problems = write_whole_file(
-          image, trace_picture(mission->driver->building(), result.mission, "driven alone, simulated"));
+          image, trace_picture(mission->driver->building(), result.mission,
+                               result.mission.is_simulated() ? "driven alone, simulated" : "driven alone"));
       !problems.empty())
     return problems;
   outcome.files["driven_svg"] = image.string();

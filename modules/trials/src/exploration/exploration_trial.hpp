@@ -1,6 +1,7 @@
 #pragma once
 
-#include "aisle/trials/trial.hpp"
+#include "aisle/commands/outcome.hpp"
+#include "aisle/trials/trial_options.hpp"
 
 namespace aisle {
 

@@ -34,7 +34,7 @@ class GuideDriver final : public Navigator {
  public:
   static constexpr const char* kName = "guide";  ///< name of the navigator in a session
 
-  /// What a session records of it. The caller sets seed and "simulated".
+  /// What a session records of it. The caller sets the seed.
   /// @param building  the text of a building file
   /// @param goal    "go PLACE" or "patrol ROUNDS"
   static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string goal);
