@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "aisle/commands/simulation_setting.hpp"
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
 #include "aisle/evaluation/rooms/route_in_world.hpp"
