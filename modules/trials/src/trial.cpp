@@ -43,17 +43,18 @@ Result<Outcome> with_params(const TrialOptions& options, Console& console) {
 }
 
 /// What `aisle trial` can try.
-struct Trial {
+struct TrialMethod {
   std::string_view name;
   Result<Outcome> (*run)(const TrialOptions& options, Console& console);
 };
 
-constexpr Trial kTrials[] = {{"landmarks", with_params<trial_by_landmarks, &TrialParams::landmarks>},
-                             {"sections", with_params<trial_by_sections, &TrialParams::sections>},
-                             {"route", with_params<trial_by_route, &TrialParams::route>},
-                             {"turnings", with_params<trial_of_turnings, &TrialParams::route>},
-                             {"park", with_params<trial_of_parking, &TrialParams::route>},
-                             {"explore", run_exploration_trial}};
+constexpr TrialMethod kTrialMethods[] = {
+    {"landmarks", with_params<trial_by_landmarks, &TrialParams::landmarks>},
+    {"sections", with_params<trial_by_sections, &TrialParams::sections>},
+    {"route", with_params<trial_by_route, &TrialParams::route>},
+    {"turnings", with_params<trial_of_turnings, &TrialParams::route>},
+    {"park", with_params<trial_of_parking, &TrialParams::route>},
+    {"explore", run_exploration_trial}};
 
 }  // namespace
 
@@ -63,7 +64,7 @@ Outcome trial_parameters() {
 }
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
-  for (const Trial& trial : kTrials) {
+  for (const TrialMethod& trial : kTrialMethods) {
     if (trial.name == options.method) return trial.run(options, console);
   }
   return method_named(options.method).problems();

@@ -13,9 +13,10 @@ namespace {
 
 /// Free distance straight ahead of the vehicle; at most `kFar_m`.
 double clearance_ahead_m(const World& world, const Footprint& footprint, const Pose2& T_world_vehicle) {
-  constexpr double kFar_m = 5, kStep_m = 0.01;
-  for (int step = 1; step * kStep_m < kFar_m; ++step) {
-    if (!fits(world, footprint, T_world_vehicle * Pose2{step * kStep_m, 0, 0})) return (step - 1) * kStep_m;
+  constexpr double kFar_m = 5, kAheadStep_m = 0.01;
+  for (int step = 1; step * kAheadStep_m < kFar_m; ++step) {
+    if (!fits(world, footprint, T_world_vehicle * Pose2{step * kAheadStep_m, 0, 0}))
+      return (step - 1) * kAheadStep_m;
   }
   return kFar_m;
 }

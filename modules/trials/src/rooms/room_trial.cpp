@@ -37,11 +37,13 @@ Result<SimulationSetting> room_setting(const TrialOptions& options, const RoomLo
 
 /// Initial pose of the vehicle before the place where it is to park.
 Pose2 disturbed_start(const SimulationSetting& setting, const Pose2& T_world_start, Random& random) {
-  constexpr double kOff_m = 0.5, kOff_rad = 15 * kDegree;
+  constexpr double kDisturbed_m = 0.5, kDisturbed_rad = 15 * kDegree;
   constexpr int kDraws = 100;
   for (int i = 0; i < kDraws; ++i) {
-    const double x = random.uniform(-kOff_m, kOff_m), y = random.uniform(-kOff_m, kOff_m);
-    const Pose2 T_world_vehicle = T_world_start * Pose2{x, y, random.uniform(-kOff_rad, kOff_rad)};
+    const double x = random.uniform(-kDisturbed_m, kDisturbed_m),
+                 y = random.uniform(-kDisturbed_m, kDisturbed_m);
+    const Pose2 T_world_vehicle =
+        T_world_start * Pose2{x, y, random.uniform(-kDisturbed_rad, kDisturbed_rad)};
     Footprint footprint = setting.vehicle.description.footprint;
     footprint.width_m += 0.1;
     footprint.front_m += 0.1;
