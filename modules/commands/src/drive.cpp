@@ -113,7 +113,7 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
   if (Problems problems = drive_mission(vehicle, &vehicle, driver, record, console.progress, result);
       !problems.empty())
     return problems;
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
 
   Outcome outcome = outcome_of(options, *drive, result, record, clock.now_s() - begun_s);
   if (const auto* scripted = dynamic_cast<const ScriptedOperator*>(person->get())) {

@@ -59,7 +59,7 @@ Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const st
   if (!session) return session.problems();
   const auto result = drive_guide_mission(vehicle, &vehicle, *plan->driver, *session, console.progress);
   if (!result) return result.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
 
   const GuideNavigator& navigator = plan->driver->navigator();
   const Building& building = plan->driver->building();

@@ -78,7 +78,7 @@ Result<std::optional<SessionRecord>> show_session(const VehicleDescription& vehi
   return std::optional<SessionRecord>(std::move(*record));
 }
 
-Problems close(std::optional<SessionRecord>& session) {
+Problems close_session(std::optional<SessionRecord>& session) {
   return session ? session->close() : Problems{};
 }
 

@@ -197,7 +197,7 @@ Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, const
   if (!session) return session.problems();
   auto explored = explore_once(options, plan, vehicle, std::move(*former), *session, console.progress);
   if (!explored) return explored.problems();
-  if (Problems problems = close(*session); !problems.empty()) return problems;
+  if (Problems problems = close_session(*session); !problems.empty()) return problems;
   Outcome outcome{.verb = "explore"};
   outcome.figures = figures_of(*explored);
   outcome.figures["seed"] = options.seed;

@@ -115,7 +115,7 @@ Result<Outcome> navigate_by_landmarks(const NavigateOptions& options, const Land
   const double begun_s = clock.now_s();
   auto driven = drive_landmark_mission(vehicle, &vehicle, *mission->driver, *session, console.progress);
   if (!driven) return driven.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
   const JudgedLandmarkMission result =
       judged(std::move(*driven), mission->truth, mission->driver->path(), options.in_reverse);
   Outcome outcome = landmark_navigation_outcome(options, *mission, result, clock.now_s() - begun_s);

@@ -103,7 +103,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
                                     params.navigator.frame_backing.wanted);
   auto mission = drive_room_mission(driven, &driven, **navigator, *session, console.progress);
   if (!mission) return mission.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
   return room_outcome(verb, drive, *route,
                       judged(std::move(*mission), setting->world, vehicle.footprint, T_world_due));
 }

@@ -78,7 +78,7 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   const double begun_s = clock.now_s();
   auto mission = drive_section_mission(driven, &driven, **navigator, false, *session, console.progress);
   if (!mission) return mission.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
   const JudgedSectionMission result =
       judged(std::move(*mission), **navigator, {setting->world, *T_world_map, T_world_start});
   const MissionEnd& end = result.mission.end;

@@ -73,6 +73,6 @@ Result<std::optional<SessionRecord>> show_session(const VehicleDescription& vehi
                                                   const SessionOrigin& origin, MessageSink* watcher);
 
 /// Closes a session; what was recorded before an interruption stays.
-Problems close(std::optional<SessionRecord>& session);
+Problems close_session(std::optional<SessionRecord>& session);
 
 }  // namespace aisle
