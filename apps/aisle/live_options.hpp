@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "aisle/commands/live.hpp"
+#include "aisle/live_session/live.hpp"
 #include "verb.hpp"
 
 /// The options of the live server, --port to --rate: address, access, TLS, folders and speed.

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "aisle/commands/live.hpp"
+#include "aisle/live_session/live.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "aisle/commands/exploration/exploring_sensor.hpp"
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/missions/exploration/exploring_sensor.hpp"
 
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "aisle/commands/reproduce.hpp"
+#include "aisle/trials/reproduce.hpp"
 #include "verb.hpp"
 
 using namespace aisle;

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "aisle/commands/trial.hpp"
+#include "aisle/trials/trial.hpp"
 #include "option_kinds.hpp"
 #include "parking_choices.hpp"
 #include "verb.hpp"

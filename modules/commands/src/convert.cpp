@@ -9,7 +9,6 @@
 #include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/geometry/polyline.hpp"
 #include "aisle/simulation/buildings/decoration.hpp"
-#include "plan_reading.hpp"
 
 namespace aisle {
 namespace {

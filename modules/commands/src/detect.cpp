@@ -6,11 +6,11 @@
 
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/calibration_file.hpp"
 #include "aisle/formats/images/image_file.hpp"
 #include "detection/image_detector.hpp"
 #include "detection/line_pursuit.hpp"
-#include "rounded.hpp"
 
 namespace aisle {
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/commands/simulation_setting.hpp"
 #include "aisle/core/clock.hpp"
-#include "changed_parameters.hpp"
-#include "rounded.hpp"
-#include "simulated_record.hpp"
-#include "simulation_setting.hpp"
+#include "aisle/core/rounded.hpp"
+#include "aisle/missions/changed_parameters.hpp"
+#include "aisle/missions/mission_result.hpp"
 
 namespace aisle {
 namespace {
@@ -48,33 +48,34 @@ SessionOrigin origin_of(const DriveOptions& options, const Drive& drive) {
   return {.navigator = "hand",
           .parameters = changed_parameters(drive.params.limits),
           .seed = options.seed,
-          .simulated = true,
           .building = {},
           .route = options.route};
 }
 
-Outcome outcome_of(const DriveOptions& options, const Drive& drive, const MissionEnd& end,
-                   const SimulatedTruth& truth, std::size_t images, double worked_s) {
-  Outcome outcome{.verb = "drive", .ok = end.arrived && truth.collisions == 0};
-  const double factor = truth.stamp_s / std::max(worked_s, 1e-6);
-  outcome.figures = {{"simulated", true},
-                     {"seed", options.seed},
-                     {"vehicle", drive.setting.vehicle.description.name},
-                     {"cycles", end.cycles},
-                     {"duration_s", rounded(truth.stamp_s, 3)},
-                     {"distance_m", rounded(truth.path_m, 3)},
-                     {"pictures", images},
-                     {"collisions", truth.collisions},
-                     {"state", end.state},
-                     {"why", end.why},
-                     {"real_time_factor", rounded(factor, 1)}};
+Outcome outcome_of(const DriveOptions& options, const Drive& drive, const MissionResult& result,
+                   const MissionRecorder& record, double worked_s) {
+  const MissionEnd& end = result.end;
+  Outcome outcome{.verb = "drive", .ok = end.arrived && result.is_unharmed()};
+  const double factor = record.stamp_s() / std::max(worked_s, 1e-6);
+  outcome.figures = known_figures({{"simulated", result.is_simulated()},
+                                   {"seed", options.seed},
+                                   {"vehicle", drive.setting.vehicle.description.name},
+                                   {"cycles", end.cycles},
+                                   {"duration_s", rounded(record.stamp_s(), 3)},
+                                   {"distance_m", rounded(result.distance_m(), 3)},
+                                   {"pictures", record.images()},
+                                   {"collisions", if_known(result.collisions())},
+                                   {"state", end.state},
+                                   {"why", end.why},
+                                   {"real_time_factor", rounded(factor, 1)}});
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
   outcome.text = fmt::format(
-      "simulated drive through {} with {}: {:.1f} m in {:.1f} s, {} collision{}; {}{}{}\n"
+      "{}drive through {} with {}: {:.1f} m in {:.1f} s{}; {}{}{}\n"
       "{} images; {:.1f} times as fast as real time{}\n",
-      drive.setting.world.name, drive.setting.vehicle.description.name, truth.path_m, truth.stamp_s,
-      truth.collisions, truth.collisions == 1 ? "" : "s", end.state, end.why.empty() ? "" : ": ", end.why,
-      images, factor, options.out.empty() ? "" : "; session in " + options.out.string());
+      result.is_simulated() ? "simulated " : "", drive.setting.world.name,
+      drive.setting.vehicle.description.name, result.distance_m(), record.stamp_s(), collisions_text(result),
+      end.state, end.why.empty() ? "" : ": ", end.why, record.images(), factor,
+      options.out.empty() ? "" : "; session in " + options.out.string());
   return outcome;
 }
 
@@ -97,24 +98,24 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
   if (!drive) return drive.problems();
   const auto person = operator_of(options, *drive);
   if (!person) return person.problems();
-  auto session = open_session(options.out, options.force, drive->setting.vehicle.description,
-                              origin_of(options, *drive), console.watcher);
-  if (!session) return session.problems();
-
   SimulatedVehicle vehicle(
       drive->setting.world, drive->setting.vehicle, drive->setting.scenario,
       {.seed = options.seed, .T_world_start = drive->T_world_start, .takes_images = options.takes_images},
       person->get());
+  auto session = open_session(options.out, options.force, vehicle, &vehicle, origin_of(options, *drive),
+                              console.watcher);
+  if (!session) return session.problems();
   HandDriver driver(drive->params.limits);
-  SimulatedRecord record(*session, vehicle);
+  MissionRecorder record(*session, vehicle, &vehicle);
+  MissionResult result;
   const SteadyClock clock;
   const double begun_s = clock.now_s();
-  const auto end = run_mission(vehicle, driver, record, console.progress);
-  if (!end) return end.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  if (Problems problems = drive_mission(vehicle, &vehicle, driver, record, console.progress, result);
+      !problems.empty())
+    return problems;
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
 
-  Outcome outcome =
-      outcome_of(options, *drive, *end, vehicle.truth(), record.images(), clock.now_s() - begun_s);
+  Outcome outcome = outcome_of(options, *drive, result, record, clock.now_s() - begun_s);
   if (const auto* scripted = dynamic_cast<const ScriptedOperator*>(person->get())) {
     outcome.figures["route_share"] = rounded(scripted->share_done(), 3);
     if (!scripted->has_arrived()) {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/commands/set_down.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "exploration/guide_mission.hpp"
-#include "rounded.hpp"
-#include "simulated_record.hpp"
-#include "statistics.hpp"
+#include "aisle/missions/exploration/guide_mission.hpp"
+#include "aisle/missions/statistics.hpp"
 
 namespace aisle {
 namespace {
@@ -43,7 +43,6 @@ Result<GuidePlan> read_guide_plan(const GuideOptions& options, const std::string
   if (!start) return start.problems();
   GuidePlan plan{std::move(*setting), *start, GuideDriver::origin(params, std::move(*building), goal), {}};
   plan.origin.seed = options.seed;
-  plan.origin.simulated = true;
   auto driver = GuideDriver::make(plan.origin, plan.setting.vehicle.description);
   if (!driver) return in_file(driver.problems(), options.building.string());
   plan.driver = std::move(*driver);
@@ -54,40 +53,40 @@ Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const st
                          Console& console) {
   const auto plan = read_guide_plan(options, goal);
   if (!plan) return plan.problems();
-  auto session = open_session(options.out, options.force, plan->setting.vehicle.description, plan->origin,
-                              console.watcher);
+  SimulatedVehicle vehicle = vehicle_in(
+      plan->setting, set_down_at_home(plan->setting, plan->T_world_start, options.seed), options.seed);
+  auto session = open_session(options.out, options.force, vehicle, &vehicle, plan->origin, console.watcher);
   if (!session) return session.problems();
-  const auto result = drive_guide_mission(plan->setting, *plan->driver, plan->T_world_start, options.seed,
-                                          *session, console.progress);
+  const auto result = drive_guide_mission(vehicle, &vehicle, *plan->driver, *session, console.progress);
   if (!result) return result.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
 
   const GuideNavigator& navigator = plan->driver->navigator();
   const Building& building = plan->driver->building();
   const Footprint& footprint = plan->setting.vehicle.description.footprint;
   const Goal& sent = plan->driver->goal();
-  Outcome outcome{.verb = verb, .ok = result->end.arrived && result->collisions == 0};
-  outcome.figures = {
-      {"simulated", true},
-      {"seed", options.seed},
-      {"arrived", result->end.arrived},
-      {"why", result->end.why},
-      {"places", sent.p_map_places.size()},
-      {"places_reached", navigator.places_reached()},
-      {"ways_closed", navigator.ways_closed()},
-      {"distance_m", rounded(result->distance_m, 3)},
-      {"shortest_m", rounded(sent.shortest_m, 3)},
-      {"collisions", result->collisions},
-      {"duration_s", rounded(result->end.duration_s, 1)},
-      {"graph_coverage", rounded(graph_coverage(building.corridors, result->T_map_vehicle, footprint), 4)},
-      {"cycle_ms",
-       {{"median", rounded(1e3 * quantile(result->cycle_s, 0.5), 3)},
-        {"p99", rounded(1e3 * quantile(result->cycle_s, 0.99), 3)}}}};
+  Outcome outcome{.verb = verb, .ok = result->end.arrived && result->is_unharmed()};
+  outcome.figures = known_figures(
+      {{"simulated", result->is_simulated()},
+       {"seed", options.seed},
+       {"arrived", result->end.arrived},
+       {"why", result->end.why},
+       {"places", sent.p_map_places.size()},
+       {"places_reached", navigator.places_reached()},
+       {"ways_closed", navigator.ways_closed()},
+       {"distance_m", rounded(result->distance_m(), 3)},
+       {"shortest_m", rounded(sent.shortest_m, 3)},
+       {"collisions", if_known(result->collisions())},
+       {"duration_s", rounded(result->end.duration_s, 1)},
+       {"graph_coverage", rounded(graph_coverage(building.corridors, result->T_map_vehicle, footprint), 4)},
+       {"cycle_ms",
+        {{"median", rounded(1e3 * quantile(result->cycle_s, 0.5), 3)},
+         {"p99", rounded(1e3 * quantile(result->cycle_s, 0.99), 3)}}}});
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
-  outcome.text = fmt::format(
-      "simulated: {}{}{}; {:.1f} m in {:.0f} s (the shortest path is {:.1f} m), {} collision{}\n",
-      result->end.state, result->end.why.empty() ? "" : ": ", result->end.why, result->distance_m,
-      result->end.duration_s, sent.shortest_m, result->collisions, result->collisions == 1 ? "" : "s");
+  outcome.text = fmt::format("{}{}{}{}; {:.1f} m in {:.0f} s (the shortest path is {:.1f} m){}\n",
+                             result->is_simulated() ? "simulated: " : "", result->end.state,
+                             result->end.why.empty() ? "" : ": ", result->end.why, result->distance_m(),
+                             result->end.duration_s, sent.shortest_m, collisions_text(*result));
   return outcome;
 }
 

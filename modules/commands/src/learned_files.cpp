@@ -1,4 +1,4 @@
-#include "learned_files.hpp"
+#include "aisle/commands/learned_files.hpp"
 
 #include <fmt/format.h>
 
@@ -65,11 +65,6 @@ Result<MapTruth> read_map_truth(const std::filesystem::path& building) {
   if (!real) return real.problems();
   if (thought->T_map_vehicle.size() != real->T_map_vehicle.size()) return MapTruth();
   return MapTruth(std::move(thought->T_map_vehicle), std::move(real->T_map_vehicle));
-}
-
-Problems at_file(Problems problems, const std::string& file) {
-  for (Problem& problem : problems) problem.where.file = file;
-  return problems;
 }
 
 }  // namespace aisle

@@ -7,7 +7,8 @@
 
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
-#include "aisle/commands/process_usage.hpp"
+#include "aisle/core/process_usage.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/images/map_server.hpp"
 #include "aisle/formats/logs/read_laser_recording.hpp"
@@ -21,7 +22,6 @@
 #include "aisle/report/map_picture.hpp"
 #include "aisle/report/occupancy.hpp"
 #include "learned_files.hpp"
-#include "rounded.hpp"
 
 namespace aisle {
 namespace {

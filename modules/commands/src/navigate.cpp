@@ -1,115 +1,9 @@
 #include "aisle/commands/navigate.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-#include <utility>
-
+#include "aisle/commands/method.hpp"
 #include "aisle/commands/parameter_listing.hpp"
-#include "aisle/core/clock.hpp"
-#include "aisle/formats/buildings/building_json.hpp"
-#include "aisle/formats/sessions/session_writer.hpp"
-#include "aisle/formats/whole_file.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "landmarks/landmark_mission.hpp"
-#include "learned_files.hpp"
-#include "methods.hpp"
-#include "rooms/room_verbs.hpp"
-#include "rounded.hpp"
-#include "route_name.hpp"
-#include "sections/section_verbs.hpp"
-#include "simulated_record.hpp"
 
 namespace aisle {
-namespace {
-
-struct NavigateParams {
-  LandmarkNavigatorParams landmarks;
-  SectionDriverParams sections;
-  RoomDriverParams route;
-
-  void describe(FieldList& fields) {
-    landmarks.describe(fields);
-    fields.group("sections", sections);
-    fields.group("route", route);
-  }
-};
-
-/// Everything a mission needs, read and checked.
-struct Mission {
-  SimulationSetting setting;
-  SessionOrigin origin;
-  std::unique_ptr<LandmarkDriver> driver;
-  MapTruth truth;
-};
-
-/// How the map lies in the world: by the truth that learning wrote beside the building, else the route begins
-/// at the world's start.
-Result<MapTruth> map_truth(const NavigateOptions& options, const SimulationSetting& setting) {
-  auto truth = read_map_truth(options.building);
-  if (!truth || !truth->empty()) return truth;
-  const auto start = start_in(setting);
-  if (!start) return start.problems();
-  return MapTruth({Pose2{}}, {*start});
-}
-
-Pose2 start_in_world(const Mission& mission, bool in_reverse) {
-  return mission.truth.in_world(mission.driver->path().at(0).T_map_path, mission.truth.start(in_reverse));
-}
-
-Result<Mission> read_mission(const NavigateOptions& options, const LandmarkNavigatorParams& params) {
-  const std::string file = options.building.string();
-  const auto text = read_whole_file(options.building);
-  if (!text) return text.problems();
-  const auto building = parse_building(*text, file);
-  if (!building) return building.problems();
-  auto setting =
-      read_setting(options.world, vehicle_or_usual(options.vehicle, options.method), options.scenario);
-  if (!setting) return setting.problems();
-  Mission mission{.setting = std::move(*setting), .origin = {}, .driver = {}, .truth = {}};
-  VehicleDescription& vehicle = mission.setting.vehicle.description;
-  mission.origin =
-      LandmarkDriver::origin(params, {*text, route_name(*building, options.route), options.in_reverse});
-  mission.origin.seed = options.seed;
-  mission.origin.simulated = true;
-  auto driver = LandmarkDriver::make(mission.origin, vehicle);
-  if (!driver) return at_file(driver.problems(), file);
-  mission.driver = std::move(*driver);
-  std::erase_if(vehicle.cameras,
-                [&](const CameraDescription& camera) { return camera.name != building->camera->name; });
-  auto truth = map_truth(options, mission.setting);
-  if (!truth) return truth.problems();
-  mission.truth = std::move(*truth);
-  if (!fits(mission.setting.world, vehicle.footprint, start_in_world(mission, options.in_reverse)))
-    return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
-  return mission;
-}
-
-Outcome outcome_of(const NavigateOptions& options, const Mission& mission,
-                   const LandmarkMissionResult& result, double worked_s) {
-  const MissionErrors& errors = result.errors;
-  Outcome outcome{.verb = "navigate", .ok = result.end.arrived && result.collisions == 0};
-  outcome.figures = figures_of(result);
-  outcome.figures["simulated"] = true;
-  outcome.figures["seed"] = options.seed;
-  outcome.figures["route"] = mission.origin.route;
-  outcome.figures["in_reverse"] = options.in_reverse;
-  outcome.figures["landmarks"] = mission.driver->building().landmarks.size();
-  outcome.figures["real_time_factor"] = rounded(result.end.duration_s / std::max(worked_s, 1e-6), 1);
-  if (!options.out.empty()) outcome.files["session"] = options.out.string();
-  outcome.text = fmt::format(
-      "simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}, lost {} time{}\n"
-      "pose error {:.1f} cm across, {:.1f} cm along, {:.2f} deg (rms)\n"
-      "cross-track error {:.1f} cm (rms), {:.1f} cm (worst)\n",
-      result.end.state, result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
-      result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s", result.lost_count,
-      result.lost_count == 1 ? "" : "s", 100 * errors.across_m.rms(), 100 * errors.along_m.rms(),
-      to_degrees(errors.heading_rad.rms()), 100 * errors.tracking_m.rms(), 100 * errors.tracking_m.worst());
-  return outcome;
-}
-
-}  // namespace
 
 Outcome navigate_parameters() {
   NavigateParams params;
@@ -117,7 +11,8 @@ Outcome navigate_parameters() {
 }
 
 Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
-  if (Problems problems = check_method(options.method); !problems.empty()) return problems;
+  const auto method = method_named(options.method);
+  if (!method) return method.problems();
   NavigateParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
@@ -125,31 +20,7 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
     params.landmarks.speed.speed_mps = params.sections.navigator.speed.speed_mps =
         params.route.navigator.speed_mps = *options.speed_mps;
   params.sections.and_back = params.sections.and_back || options.and_back;
-  if (options.method == "sections") return navigate_by_sections(options, params.sections, console);
-  if (options.method == "route") return navigate_by_route(options, params.route, console);
-  if (options.and_back)
-    return Problem{{"--and-back"}, "is for --method sections; by landmarks the return path is --reverse"};
-  const auto mission = read_mission(options, params.landmarks);
-  if (!mission) return mission.problems();
-  auto session = open_session(options.out, options.force, mission->setting.vehicle.description,
-                              mission->origin, console.watcher);
-  if (!session) return session.problems();
-  const SteadyClock clock;
-  const double begun_s = clock.now_s();
-  const auto result = drive_landmark_mission(mission->setting, *mission->driver, mission->truth,
-                                             {.seed = options.seed, .in_reverse = options.in_reverse},
-                                             *session, console.progress);
-  if (!result) return result.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
-  Outcome outcome = outcome_of(options, *mission, *result, clock.now_s() - begun_s);
-  if (options.out.empty()) return outcome;
-  const std::filesystem::path image = options.out / kDrivenImage;
-  if (Problems problems = write_whole_file(
-          image, trace_picture(mission->driver->building(), *result, "driven alone, simulated"));
-      !problems.empty())
-    return problems;
-  outcome.files["driven_svg"] = image.string();
-  return outcome;
+  return (*method)->navigate(options, params, console);
 }
 
 }  // namespace aisle

@@ -1,4 +1,4 @@
-#include "plan_reading.hpp"
+#include "aisle/commands/plan_reading.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ bool begins_with_wall_segment(std::string_view bytes) {
   return false;
 }
 
-Result<World> world_of_floor(Result<FloorPlan> plan, const ConvertOptions& options, Console& console) {
+Result<World> world_of_floor(Result<FloorPlan> plan, const PlanOptions& options, Console& console) {
   if (!plan) return plan.problems();
   clean_plan(*plan, options.speck_m);
   World world;
@@ -50,7 +50,7 @@ Result<World> world_of_floor(Result<FloorPlan> plan, const ConvertOptions& optio
   return world;
 }
 
-Result<World> world_of_maze(std::string_view bytes, const ConvertOptions& options, Console& console) {
+Result<World> world_of_maze(std::string_view bytes, const PlanOptions& options, Console& console) {
   const Result<MazeFile> maze = parse_maze(bytes, options.plan.string());
   if (!maze) return maze.problems();
   if (std::max(maze->world.width(), maze->world.height()) > kMazeSizeMax) {
@@ -75,7 +75,7 @@ Result<World> world_of_segments(std::string_view bytes, const std::string& name)
   return world;
 }
 
-Result<World> walls_of_plan(const ConvertOptions& options, Console& console) {
+Result<World> walls_of_plan(const PlanOptions& options, Console& console) {
   const Result<std::string> bytes = read_whole_file(options.plan, kBytesMax);
   if (!bytes) return bytes.problems();
   const std::string name = options.plan.string();
@@ -109,7 +109,7 @@ PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes)
   return begins_with_wall_segment(bytes) ? PlanKind::kSegments : PlanKind::kMaze;
 }
 
-Result<World> world_of_plan(const ConvertOptions& options, Console& console) {
+Result<World> world_of_plan(const PlanOptions& options, Console& console) {
   Result<World> world = walls_of_plan(options, console);
   if (world) world->name = options.plan.stem().string();
   return world;

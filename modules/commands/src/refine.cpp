@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "aisle/commands/learned_files.hpp"
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/missions/landmarks/landmark_driver.hpp"
+#include "aisle/missions/landmarks/landmark_learning_result.hpp"
 #include "aisle/vehicle/same_camera.hpp"
-#include "landmarks/landmark_driver.hpp"
-#include "landmarks/landmark_learning_result.hpp"
-#include "learned_files.hpp"
-#include "rounded.hpp"
 
 namespace aisle {
 namespace {

@@ -1,16 +1,14 @@
-#include "simulation_setting.hpp"
+#include "aisle/commands/simulation_setting.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "aisle/commands/plan_reading.hpp"
 #include "aisle/commands/shipped_files.hpp"
-#include "aisle/core/random.hpp"
 #include "aisle/formats/worlds/scenario_yaml.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "plan_reading.hpp"
 
 namespace aisle {
 namespace {
@@ -35,12 +33,12 @@ Problems check_scenario(const std::string& file, const SimulationSetting& settin
 
 Result<World> read_world_or_plan(const std::filesystem::path& file, double plan_pixel_m) {
   if (!is_plan(file)) return read_world(file);
-  ConvertOptions convert{.plan = file, .resolution_m = plan_pixel_m};
+  const PlanOptions plan{.plan = file, .resolution_m = plan_pixel_m};
   SilentProgress silent;
   Console console{silent, [](const std::string&) {}};
-  auto world = world_of_plan(convert, console);
+  auto world = world_of_plan(plan, console);
   if (!world) return world;
-  return with_tour(std::move(*world), convert.run, console).world;
+  return with_tour(std::move(*world), {}, console).world;
 }
 
 }  // namespace
@@ -77,14 +75,9 @@ Result<Pose2> start_in(const SimulationSetting& setting) {
   return *start;
 }
 
-Pose2 set_down(const SimulationSetting& setting, const UncertainPose2& T_world_start, std::uint64_t seed) {
-  constexpr std::uint64_t kSetDown = 0x5e7d03;  // separates this random stream from the vehicle's
-  Random random(seed ^ kSetDown);
-  const Vec3 sigmas = T_world_start.covariance.diagonal().cwiseSqrt();
-  const Pose2 off{random.normal(sigmas.x()), random.normal(sigmas.y()), random.normal(sigmas.z())};
-  const Pose2 T_world_vehicle = T_world_start.mean * off;
-  return fits(setting.world, setting.vehicle.description.footprint, T_world_vehicle) ? T_world_vehicle
-                                                                                     : T_world_start.mean;
+SimulatedVehicle vehicle_in(const SimulationSetting& setting, const Pose2& T_world_start,
+                            std::uint64_t seed) {
+  return {setting.world, setting.vehicle, setting.scenario, {.seed = seed, .T_world_start = T_world_start}};
 }
 
 }  // namespace aisle

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "learned_files.hpp"
+#include "aisle/commands/learned_files.hpp"
 
 namespace aisle {
 namespace {

@@ -9,6 +9,11 @@ std::string to_string(const Place& place) {
   return text + place.key;
 }
 
+Problems at_file(Problems problems, const std::string& file) {
+  for (Problem& problem : problems) problem.where.file = file;
+  return problems;
+}
+
 std::string to_string(const Problem& problem) {
   const std::string where = to_string(problem.where);
   return where.empty() ? problem.what : where + ": " + problem.what;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/images/image_file.hpp"
 #include "aisle/report/picture_sheet.hpp"
 #include "aisle/vision/places/place_recogniser.hpp"
 #include "detection/image_detector.hpp"
-#include "rounded.hpp"
 
 namespace aisle {
 namespace {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "aisle/commands/detect.hpp"
 #include "aisle/core/image.hpp"
 #include "aisle/core/parameters.hpp"
 #include "aisle/core/result.hpp"

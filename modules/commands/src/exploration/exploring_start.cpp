@@ -1,4 +1,4 @@
-#include "exploring_start.hpp"
+#include "exploration/exploring_start.hpp"
 
 #include <optional>
 

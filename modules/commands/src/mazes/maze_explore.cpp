@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-#include "aisle/commands/process_usage.hpp"
+#include "aisle/core/process_usage.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/exploration/exploration_run.hpp"
 #include "aisle/exploration/walk_bound.hpp"
 #include "aisle/formats/mazes/maze_file.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/report/maze_picture.hpp"
 #include "aisle/report/maze_screen.hpp"
-#include "rounded.hpp"
 
 namespace aisle {
 namespace {

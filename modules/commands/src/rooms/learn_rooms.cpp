@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
+#include "aisle/commands/learned_files.hpp"
 #include "aisle/commands/output_directory.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
-#include "learned_files.hpp"
+#include "aisle/missions/taught_session.hpp"
 #include "rooms/room_verbs.hpp"
-#include "rounded.hpp"
-#include "sessions/session_run.hpp"
 
 namespace aisle {
 namespace {

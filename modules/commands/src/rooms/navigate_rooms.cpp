@@ -1,20 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "aisle/commands/learned_files.hpp"
+#include "aisle/commands/method.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/park.hpp"
+#include "aisle/commands/simulation_setting.hpp"
+#include "aisle/evaluation/rooms/room_evaluation.hpp"
+#include "aisle/evaluation/rooms/route_in_world.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/guidance/rooms/room_cameras.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "changed_parameters.hpp"
-#include "learned_files.hpp"
-#include "methods.hpp"
-#include "rooms/room_mission.hpp"
+#include "aisle/missions/changed_parameters.hpp"
 #include "rooms/room_verbs.hpp"
-#include "rooms/room_visit.hpp"
-#include "simulated_record.hpp"
 
 namespace aisle {
 namespace {
@@ -32,20 +32,32 @@ struct RoomDrive {
   bool force = false;
 };
 
+/// How a route lies in the world: by the truth that learning wrote beside the building, else the route begins
+/// at the world's start.
+Result<RouteInWorld> route_in_world(const std::filesystem::path& building, const Route& route,
+                                    const SimulationSetting& setting) {
+  auto truth = read_map_truth(building);
+  if (!truth) return truth.problems();
+  if (!truth->empty()) return RouteInWorld(std::move(*truth), route);
+  const auto start = start_in(setting);
+  if (!start) return start.problems();
+  return RouteInWorld(MapTruth({route.path.at(0).T_map_path}, {*start}), route);
+}
+
 Outcome room_outcome(const std::string& verb, const RoomDrive& drive, const Route& route,
-                     const RoomMissionResult& result) {
+                     const JudgedRoomMission& judged) {
+  const RoomMissionResult& result = judged.mission;
   Outcome outcome{.verb = verb, .ok = result.parked()};
-  outcome.figures = figures_of(result);
-  outcome.figures["simulated"] = true;
+  outcome.figures = figures_of(judged);
+  outcome.figures["simulated"] = result.is_simulated();
   outcome.figures["seed"] = drive.seed;
   outcome.figures["route"] = route.name;
   if (!drive.out.empty()) outcome.files["session"] = drive.out.string();
-  outcome.text = fmt::format(
-      "simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}\n"
-      "end error {:.1f} cm and {:.2f} deg, {:.2f} m free ahead\n",
-      result.end.state, result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
-      result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s", 100 * result.end_error_m,
-      to_degrees(result.end_error_rad), result.clearance_m);
+  outcome.text = mission_text(result) + "\n";
+  if (judged.errors)
+    outcome.text +=
+        fmt::format("end error {:.1f} cm and {:.2f} deg, {:.2f} m free ahead\n", 100 * judged.errors->end_m,
+                    to_degrees(judged.errors->end_rad), judged.errors->clearance_m);
   return outcome;
 }
 
@@ -56,7 +68,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   if (!text) return text.problems();
   const auto building = parse_building(*text, file);
   if (!building) return building.problems();
-  auto setting = read_setting(drive.world, vehicle_or_usual(drive.vehicle, "route"), drive.scenario);
+  auto setting = read_setting(drive.world, kRoomMethod.vehicle_or_usual(drive.vehicle), drive.scenario);
   if (!setting) return setting.problems();
   const auto route = find_room_route(*building, drive.route);
   if (!route) return at_file(route.problems(), file);
@@ -65,7 +77,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
                    fmt::format("the route '{}' was taught with another parking strategy", route->name)};
   if (params.navigator.frame_backing.wanted && route->room->parking != ParkingStrategy::kFrame)
     return Problem{{"--reverse"}, fmt::format("the route '{}' does not end in a painted frame", route->name)};
-  const auto place = RouteInWorld::read(drive.building, *route, *setting);
+  const auto place = route_in_world(drive.building, *route, *setting);
   if (!place) return place.problems();
   if (drive.T_world_start) {
     params.from_m = place->along_m(*drive.T_world_start);
@@ -77,7 +89,6 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   const SessionOrigin origin{.navigator = kRoomNavigator,
                              .parameters = changed_parameters(params),
                              .seed = drive.seed,
-                             .simulated = true,
                              .building = *text,
                              .route = route->name};
   const auto navigator = make_room_navigator(origin, vehicle);
@@ -85,16 +96,16 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   keep_cameras(vehicle, cameras_for(*route));
   if (!fits(setting->world, vehicle.footprint, T_world_start))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at its start in this world"};
-  auto session = open_session(drive.out, drive.force, vehicle, origin, console.watcher);
+  SimulatedVehicle driven = vehicle_in(*setting, T_world_start, drive.seed);
+  auto session = open_session(drive.out, drive.force, driven, &driven, origin, console.watcher);
   if (!session) return session.problems();
   const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end(),
                                     params.navigator.frame_backing.wanted);
-  const auto result = drive_room_mission(
-      *setting, **navigator, {.seed = drive.seed, .T_world_start = T_world_start, .T_world_due = T_world_due},
-      *session, console.progress);
-  if (!result) return result.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
-  return room_outcome(verb, drive, *route, *result);
+  auto mission = drive_room_mission(driven, &driven, **navigator, *session, console.progress);
+  if (!mission) return mission.problems();
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
+  return room_outcome(verb, drive, *route,
+                      judged(std::move(*mission), setting->world, vehicle.footprint, T_world_due));
 }
 
 }  // namespace

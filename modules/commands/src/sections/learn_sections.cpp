@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "aisle/commands/learned_files.hpp"
 #include "aisle/commands/output_directory.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/buildings/section_text.hpp"
+#include "aisle/missions/taught_session.hpp"
 #include "aisle/report/section_picture.hpp"
-#include "learned_files.hpp"
-#include "rounded.hpp"
 #include "sections/section_verbs.hpp"
-#include "sessions/session_run.hpp"
 
 namespace aisle {
 namespace {

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
+#include "aisle/commands/learned_files.hpp"
+#include "aisle/commands/method.hpp"
+#include "aisle/commands/set_down.hpp"
 #include "aisle/core/clock.hpp"
+#include "aisle/core/rounded.hpp"
+#include "aisle/evaluation/sections/section_evaluation.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "aisle/missions/changed_parameters.hpp"
+#include "aisle/missions/landmarks/landmark_run.hpp"
+#include "aisle/missions/route_name.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "changed_parameters.hpp"
-#include "landmarks/landmark_run.hpp"
-#include "learned_files.hpp"
-#include "methods.hpp"
-#include "rounded.hpp"
-#include "route_name.hpp"
-#include "sections/section_mission.hpp"
 #include "sections/section_verbs.hpp"
-#include "simulated_record.hpp"
 
 namespace aisle {
 namespace {
@@ -30,16 +30,15 @@ Result<Pose2> map_about(const Pose2& T_map_place, const NavigateOptions& options
   return start_in(setting);
 }
 
-std::string section_mission_text(const SectionMissionResult& result, bool and_back) {
-  std::string text =
-      fmt::format("simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}\n", result.end.state,
-                  result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
-                  result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s");
-  text += fmt::format("ended {:.1f} cm and {:.2f} deg from where it {}\n", 100 * result.closing_error_m,
-                      to_degrees(result.closing_error_rad), and_back ? "began" : "should");
-  if (result.wall_distance_m.count() > 0) {
+std::string section_mission_text(const JudgedSectionMission& judged, bool and_back) {
+  std::string text = mission_text(judged.mission) + "\n";
+  if (!judged.errors) return text;
+  const SectionErrors& errors = *judged.errors;
+  text += fmt::format("ended {:.1f} cm and {:.2f} deg from where it {}\n", 100 * errors.closing_m,
+                      to_degrees(errors.closing_rad), and_back ? "began" : "should");
+  if (errors.wall_distance_m.count() > 0) {
     text += fmt::format("kept its distance from the right base line within {:.1f} cm (rms)\n",
-                        100 * result.wall_distance_m.rms());
+                        100 * errors.wall_distance_m.rms());
   }
   return text;
 }
@@ -54,13 +53,12 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   const auto building = parse_building(*text, file);
   if (!building) return building.problems();
   auto setting =
-      read_setting(options.world, vehicle_or_usual(options.vehicle, options.method), options.scenario);
+      read_setting(options.world, kSectionMethod.vehicle_or_usual(options.vehicle), options.scenario);
   if (!setting) return setting.problems();
   VehicleDescription& vehicle = setting->vehicle.description;
   SessionOrigin origin{.navigator = kSectionNavigator,
                        .parameters = changed_parameters(params),
                        .seed = options.seed,
-                       .simulated = true,
                        .building = *text,
                        .route = route_name(*building, options.route),
                        .in_reverse = options.in_reverse};
@@ -72,25 +70,28 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   if (!T_world_map) return T_world_map.problems();
   if (!fits(setting->world, vehicle.footprint, *T_world_map * T_map_start))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
-  auto session = open_session(options.out, options.force, vehicle, origin, console.watcher);
+  const Pose2 T_world_start = set_down_on_route(*setting, *T_world_map * T_map_start, options.seed);
+  SimulatedVehicle driven = vehicle_in(*setting, T_world_start, options.seed);
+  auto session = open_session(options.out, options.force, driven, &driven, origin, console.watcher);
   if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();
-  const auto result = drive_section_mission(
-      *setting, **navigator, {.seed = options.seed, .T_world_map = *T_world_map}, *session, console.progress);
-  if (!result) return result.problems();
-  if (const Problems problems = close(*session); !problems.empty()) return problems;
-  Outcome outcome{.verb = "navigate", .ok = result->end.arrived && result->collisions == 0};
-  outcome.figures = figures_of(*result);
-  outcome.figures["simulated"] = true;
+  auto mission = drive_section_mission(driven, &driven, **navigator, false, *session, console.progress);
+  if (!mission) return mission.problems();
+  if (const Problems problems = close_session(*session); !problems.empty()) return problems;
+  const JudgedSectionMission result =
+      judged(std::move(*mission), **navigator, {setting->world, *T_world_map, T_world_start});
+  const MissionEnd& end = result.mission.end;
+  Outcome outcome{.verb = "navigate", .ok = end.arrived && result.mission.is_unharmed()};
+  outcome.figures = figures_of(result);
+  outcome.figures["simulated"] = result.mission.is_simulated();
   outcome.figures["seed"] = options.seed;
   outcome.figures["route"] = origin.route;
   outcome.figures["in_reverse"] = options.in_reverse;
   outcome.figures["and_back"] = params.and_back;
-  outcome.figures["real_time_factor"] =
-      rounded(result->end.duration_s / std::max(clock.now_s() - begun_s, 1e-6), 1);
+  outcome.figures["real_time_factor"] = rounded(end.duration_s / std::max(clock.now_s() - begun_s, 1e-6), 1);
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
-  outcome.text = section_mission_text(*result, params.and_back);
+  outcome.text = section_mission_text(result, params.and_back);
   return outcome;
 }
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "aisle/commands/navigators.hpp"
 #include "aisle/formats/sessions/decision_text.hpp"
 #include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/sessions/recorded_vehicle.hpp"
 #include "aisle/guidance/mission.hpp"
-#include "simulated_record.hpp"
+#include "aisle/missions/mission_recorder.hpp"
+#include "aisle/missions/navigators.hpp"
 
 namespace aisle {
 namespace {
@@ -117,7 +117,7 @@ Result<Outcome> run_session_replay(const SessionReplayOptions& options, Console&
   const auto navigator = make_navigator(driver, cycles->vehicle());
   if (!navigator) return navigator.problems();
   RecordedVehicle vehicle(std::move(*cycles));
-  auto shown = open_session({}, false, vehicle.description(), driver, console.watcher);
+  auto shown = show_session(vehicle.description(), driver, console.watcher);
   if (!shown) return shown.problems();
   Comparison comparison(vehicle, *shown);
   const auto end = run_mission(vehicle, **navigator, comparison, console.progress);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "aisle/commands/set_down.hpp"
+#include "aisle/evaluation/exploration/exploration_evaluation.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/missions/exploration/guide_mission.hpp"
 #include "aisle/simulation/cross_section.hpp"
-#include "exploration/exploration_evaluation.hpp"
-#include "exploration/guide_mission.hpp"
 #include "explorer_run.hpp"
 
 namespace aisle {
@@ -85,7 +86,8 @@ Driven drive(const std::string& goal, const World& world = l_building(),
   EXPECT_TRUE(driver.ok()) << to_string(driver.problems());
   std::optional<SessionRecord> no_session;
   SilentProgress progress;
-  auto result = drive_guide_mission(setting, **driver, *world.start, 1, no_session, progress);
+  SimulatedVehicle vehicle = vehicle_in(setting, set_down_at_home(setting, *world.start, 1), 1);
+  auto result = drive_guide_mission(vehicle, &vehicle, **driver, no_session, progress);
   EXPECT_TRUE(result.ok());
   const double coverage = graph_coverage((*driver)->building().corridors, result->T_map_vehicle,
                                          setting.vehicle.description.footprint);
@@ -100,22 +102,22 @@ std::string refused(const std::string& place) {
 TEST(GuideMission, GoesToAPlaceByItsNameOnAboutTheShortestPath) {
   const Driven driven = drive("go lift");
   EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
-  EXPECT_EQ(driven.result.collisions, 0U);
+  EXPECT_EQ(driven.result.collisions(), 0U);
   EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(13, 8)).norm(), 1.5);
-  EXPECT_LT(driven.result.distance_m, driven.shortest_m + 1);
+  EXPECT_LT(driven.result.distance_m(), driven.shortest_m + 1);
 }
 
 TEST(GuideMission, TakesANarrowGapIfThereIsNoOtherPath) {
   const World narrowed = narrowed_l_building();
   const Driven driven = drive("go lift", narrowed, learned(narrowed, is_floor_of_narrowed_l, 0.025));
   EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
-  EXPECT_EQ(driven.result.collisions, 0U);
+  EXPECT_EQ(driven.result.collisions(), 0U);
 }
 
 TEST(GuideMission, PatrolsAllCorridorsAndComesHome) {
   const Driven driven = drive("patrol 1");
   EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
-  EXPECT_EQ(driven.result.collisions, 0U);
+  EXPECT_EQ(driven.result.collisions(), 0U);
   EXPECT_GT(driven.coverage, 0.99);
   EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(1.5, 1)).norm(), 1.5);
 }
@@ -126,7 +128,7 @@ TEST(GuideMission, GivesUpBeforeAPathThatIsNowClosedAndTouchesNothing) {
   const Driven driven = drive("go lift", closed);
   EXPECT_FALSE(driven.result.end.arrived);
   EXPECT_THAT(driven.result.end.why, HasSubstr("there is no path to 13.0, 8.0"));
-  EXPECT_EQ(driven.result.collisions, 0U);
+  EXPECT_EQ(driven.result.collisions(), 0U);
 }
 
 bool ever_met(const Barrier& barrier, const Driven& driven) {
@@ -151,8 +153,8 @@ TEST(GuideMission, GoesTheOtherWayRoundRatherThanThroughGlass) {
   building.barriers = {{.kind = Barrier::Kind::kGlass, .segment = {{4, 0}, {4, 2}}}};
   const Driven driven = drive("go 6,1", ring_building(), building);
   EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
-  EXPECT_EQ(driven.result.collisions, 0U);
-  EXPECT_GT(driven.result.distance_m, 20) << "round the block";
+  EXPECT_EQ(driven.result.collisions(), 0U);
+  EXPECT_GT(driven.result.distance_m(), 20) << "round the block";
   EXPECT_FALSE(ever_met(building.barriers[0], driven));
 }
 

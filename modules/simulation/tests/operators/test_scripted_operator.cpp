@@ -61,7 +61,7 @@ World narrow_dead_end() {
 }
 
 struct Drive {
-  SimulatedTruth end;
+  Truth end;
   std::vector<Mark> marks;
   bool came_near = false;    ///< within 3 cm of a wall
   double largest_off_m = 0;  ///< lateral offset in the first 8 m of the first corridor

@@ -38,7 +38,7 @@ VehicleModel with_scanner(VehicleModel model) {
 /// Everything of a run that can be compared.
 struct SimulatedRun {
   std::vector<Observation> observations;
-  std::vector<SimulatedTruth> truths;
+  std::vector<Truth> truths;
 };
 
 SimulatedRun drive(const World& world, const VehicleModel& model, const Scenario& scenario,
@@ -123,7 +123,7 @@ TEST(SimulatedVehicle, HoldsItsLimitsOfSpeedAndSteeringWhateverItIsCommanded) {
   model.description.limits.steering_max_rad = 0.3;
   for (const double wild : {9.0, -9.0}) {
     const SimulatedRun run = drive(hall(), model, {}, {.speed_mps = wild, .steering_rad = wild}, 8);
-    for (const SimulatedTruth& truth : run.truths) {
+    for (const Truth& truth : run.truths) {
       EXPECT_LE(truth.speed_mps, 0.4 + 1e-9);
       EXPECT_GE(truth.speed_mps, -0.2 - 1e-9);
       EXPECT_LE(std::abs(truth.turn_rate_rad_s), 0.4 * std::sin(0.3) / 0.75 + 1e-9);
@@ -151,7 +151,7 @@ TEST(SimulatedVehicle, ACommandThatIsNotANumberMeansStop) {
 
 TEST(SimulatedVehicle, AWallStopsItAndCountsOnce) {
   const SimulatedRun run = drive(hall(), cart(), {}, {.speed_mps = 1}, 30);
-  const SimulatedTruth& end = run.truths.back();
+  const Truth& end = run.truths.back();
   EXPECT_NEAR(end.T_world_vehicle.x, 19, 1e-3);  // its front is 1 m ahead
   EXPECT_LT(end.T_world_vehicle.x, 19);
   EXPECT_EQ(end.collisions, 1U);

@@ -5,28 +5,14 @@
 #include <optional>
 
 #include "aisle/commands/outcome.hpp"
-#include "aisle/simulation/buildings/maze_building.hpp"
+#include "aisle/commands/plan_reading.hpp"
 #include "aisle/simulation/buildings/random_building.hpp"
 #include "aisle/simulation/paths/round_trip.hpp"
-#include "aisle/simulation/plans/plan_tracing.hpp"
 
 namespace aisle {
 
-enum class PlanKind {
-  kAny,        ///< detected from the file's content and name
-  kSegments,   ///< wall-segment text
-  kImage,      ///< PBM, PGM, PNG: dark is wall
-  kMapServer,  ///< map_server YAML with its image
-  kMaze,       ///< any of the maze formats: cells with walls on their sides
-};
-
-struct ConvertOptions {
-  std::filesystem::path plan;  ///< unused if `seed` is set
-  PlanKind from = PlanKind::kAny;
-  double resolution_m = 0.05;  ///< side of a pixel of a kImage
-  PlanTracingParams tracing;
-  double speck_m = 0.1;  ///< what fits into a square of this side is removed, see clean_plan()
-  MazeBuildingParams maze;
+/// The plan is unused if `seed` is set.
+struct ConvertOptions : PlanOptions {
   RoundTripParams run;
   std::optional<std::uint64_t> seed;  ///< makes a random building of this seed
   RandomBuildingRecipe recipe;

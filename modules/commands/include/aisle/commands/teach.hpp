@@ -1,17 +1,9 @@
 #pragma once
 
-#include <string>
-
-#include "aisle/commands/drive.hpp"
+#include "aisle/commands/outcome.hpp"
+#include "aisle/commands/teach_options.hpp"
 
 namespace aisle {
-
-struct TeachOptions {
-  DriveOptions drive;  ///< `out` must be set
-  std::string method = "landmarks";
-  std::string route = "route";      ///< name of the taught route
-  bool shows_view_pattern = false;  ///< a scripted person shows a taught place from 63 poses around it
-};
 
 /// `aisle teach WORLD`: a person drives a route once, and the session records what the method learns from.
 Result<Outcome> run_teach(const TeachOptions& options, Console& console);

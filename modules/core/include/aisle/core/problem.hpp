@@ -23,6 +23,9 @@ using Problems = std::vector<Problem>;
 /// "file:line: key"; empty if the place is not known.
 std::string to_string(const Place& place);
 
+/// The same problems, located in a file.
+Problems at_file(Problems problems, const std::string& file);
+
 /// "file:line: key: what"
 std::string to_string(const Problem& problem);
 

@@ -15,6 +15,7 @@
 #include "aisle/simulation/vehicle/vehicle_model.hpp"
 #include "aisle/simulation/vehicle/wheel_odometry.hpp"
 #include "aisle/simulation/world.hpp"
+#include "aisle/vehicle/truth_source.hpp"
 #include "aisle/vehicle/vehicle.hpp"
 
 namespace aisle {
@@ -30,22 +31,12 @@ struct SimulationOptions {
   bool takes_images = true;
 };
 
-/// What really happened so far: for evaluation and viewers, never for the vehicle.
-struct SimulatedTruth {
-  double stamp_s = 0;
-  Pose2 T_world_vehicle;
-  double speed_mps = 0;  ///< of base_link, forwards
-  double turn_rate_rad_s = 0;
-  double path_m = 0;           ///< distance that base_link has travelled, forwards and backwards
-  std::size_t collisions = 0;  ///< how often it has hit something
-};
-
 /// Whether a vehicle at this pose touches nothing of the world.
 bool fits(const World& world, const Footprint& footprint, const Pose2& T_world_vehicle);
 
 /// A vehicle in a world. Time advances only in sense(), by one cycle per call, in fixed small steps. Each
 /// sensor draws its noise from its own stream, so that a fault in one does not change the others.
-class SimulatedVehicle final : public Vehicle {
+class SimulatedVehicle final : public Vehicle, public TruthSource {
  public:
   /// @param driver  drives by hand; null: nobody does. Must outlive the vehicle
   SimulatedVehicle(const World& world, const VehicleModel& model, const Scenario& scenario,
@@ -56,7 +47,7 @@ class SimulatedVehicle final : public Vehicle {
   std::optional<Observation> sense() override;
   void act(const Command& command) override;
 
-  const SimulatedTruth& truth() const { return truth_; }
+  const Truth& truth() const override { return truth_; }
   /// What moves besides the vehicle.
   std::span<const MovingBody> bodies() const { return bodies_.all(); }
 
@@ -82,7 +73,7 @@ class SimulatedVehicle final : public Vehicle {
   std::unique_ptr<VehicleEyes> eyes_;
   Obstacles obstacles_;
   MovingBodies bodies_;
-  SimulatedTruth truth_;
+  Truth truth_;
   Command command_;
   double command_stamp_s_ = 0;
   std::optional<Pose2> T_world_contact_;  ///< where the bumper was pressed, until the vehicle leaves it

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "aisle/commands/parameter_sources.hpp"
+
+namespace aisle {
+
+struct NavigateOptions {
+  std::filesystem::path building;
+  std::string world;
+  std::string vehicle;   ///< empty: the method's default, alv or mini (sections)
+  std::string scenario;  ///< file or shipped name; empty: no faults
+  std::string method = "landmarks";
+  std::string route;  ///< name; empty: the building's first
+  bool in_reverse = false;
+  bool and_back = false;  ///< sections: turn around at the end and drive back home
+  std::optional<double> speed_mps;
+  std::uint64_t seed = 1;
+  std::filesystem::path out;  ///< directory of the session; empty: not recorded
+  bool force = false;
+  ParameterSources parameters;
+};
+
+}  // namespace aisle

@@ -1,0 +1,16 @@
+#include "aisle/commands/method.hpp"
+
+#include <fmt/format.h>
+
+namespace aisle {
+
+Result<const Method*> method_named(const std::string& name) {
+  std::string names;
+  for (const Method* method : {&kLandmarkMethod, &kSectionMethod, &kRoomMethod}) {
+    if (method->name == name) return method;
+    names += (names.empty() ? "" : ", ") + std::string(method->name);
+  }
+  return Problem{{"", 0, "--method"}, fmt::format("'{}' is unknown; there are: {}", name, names)};
+}
+
+}  // namespace aisle

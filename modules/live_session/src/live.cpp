@@ -1,0 +1,161 @@
+#include "aisle/live_session/live.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <utility>
+
+#include "live_control.hpp"
+#include "live_missions.hpp"
+#include "live_operator.hpp"
+#include "live_replay.hpp"
+#include "live_request_handler.hpp"
+#include "live_site.hpp"
+
+namespace aisle {
+namespace {
+
+DriveOptions::KeyOperator hand_of(LiveControl& control) {
+  return [&control](const VehicleDescription&, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
+    return std::unique_ptr<Operator>(std::make_unique<LiveOperator>(control));
+  };
+}
+
+/// A vehicle that drives one mission after the other, as clients request them.
+class LiveRun {
+ public:
+  LiveRun(const LiveOptions& options, const Console& console, LiveSite& site)
+      : options_(options),
+        control_(console.progress, site.server(), site.mission_calls(), options.listening.rate,
+                 [this](const ServiceCall& call) { take_call(call); }),
+        watched_{control_, console.warn, &control_} {
+    control_.state().world = options.world;
+    control_.state().vehicle = options.vehicle;
+  }
+
+  /// Runs until it is interrupted. The setting itself can be wrong only the first time.
+  Problems run() {
+    while (true) {
+      const auto idled = idle();
+      if (!idled && !control_.T_world_vehicle()) return idled.problems();
+      if (auto mission = std::exchange(requested_mission_, std::nullopt)) drive(*mission);
+      if (auto session = std::exchange(requested_replay_, std::nullopt)) replay(*session);
+    }
+  }
+
+ private:
+  Result<Outcome> idle() {
+    LiveState& state = control_.state();
+    state.mode = "idle";
+    state.mission.clear();
+    state.session.clear();
+    state.is_driven_by_hand = true;
+    return work(live_idling(options_, control_.T_world_vehicle()));
+  }
+
+  void drive(const LiveMission& mission) {
+    LiveState& state = control_.state();
+    state.mode = mission.drives ? "mission" : "work";
+    state.mission = mission.name;
+    state.session = mission.session;
+    state.is_driven_by_hand = mission.is_driven_by_hand;
+    const auto outcome = work(mission);
+    state.last = control_.was_stopped() ? live_end_stopped(mission.name) : live_end(mission.name, outcome);
+  }
+
+  /// Passes Interrupted on unless a client stopped the mission.
+  Result<Outcome> work(const LiveMission& mission) {
+    control_.begin();
+    try {
+      return mission.work(watched_, hand_of(control_));
+    } catch (const Interrupted&) {
+      if (!control_.was_stopped()) throw;
+      return Outcome{.verb = mission.name, .ok = false};
+    }
+  }
+
+  void replay(const std::filesystem::path& session) {
+    LiveState& state = control_.state();
+    state.mode = "replay";
+    state.mission = "replay";
+    state.session = session.filename();
+    state.is_driven_by_hand = false;
+    control_.begin();
+    replay_ = std::make_unique<LiveReplay>(session, control_);
+    const Problems problems = replay_->run();
+    replay_.reset();
+    state.replay = nullptr;
+    control_.set_rate(options_.listening.rate);
+    if (!problems.empty()) state.last = live_end("replay", problems);
+  }
+
+  void take_call(const ServiceCall& call) {
+    const std::string& service = call.service();
+    if (replay_ && service.starts_with("replay/")) return replay_->take_call(call);
+    if (control_.state().mode != "idle" || requested_mission_ || requested_replay_)
+      return call.refuse("a mission is under way; mission/stop ends it");
+    if (service == "mission/start" || service == "mission/go") return begin_mission(call);
+    if (service == "replay/start") return begin_replay(call);
+    call.refuse("nothing is being replayed");
+  }
+
+  void begin_mission(const ServiceCall& call) {
+    nlohmann::json arguments = call.arguments();
+    if (call.service() == "mission/go") arguments["mission"] = "go";
+    auto mission = live_mission(options_, arguments, control_.T_world_vehicle());
+    if (!mission) return call.refuse(to_string(mission.problems()));
+    if (control_.state().is_emergency && mission->drives)
+      return call.refuse("the emergency stop is not released");
+    requested_mission_ = std::move(*mission);
+    control_.hand().finish();
+    call.answer(nlohmann::ordered_json::object());
+  }
+
+  void begin_replay(const ServiceCall& call) {
+    auto session = session_named(options_.listening.sessions, call.arguments());
+    if (!session) return call.refuse(to_string(session.problems()));
+    requested_replay_ = std::move(*session);
+    control_.hand().finish();
+    call.answer(nlohmann::ordered_json::object());
+  }
+
+  const LiveOptions& options_;
+  LiveControl control_;
+  Console watched_;
+  std::optional<LiveMission> requested_mission_;
+  std::optional<std::filesystem::path> requested_replay_;
+  std::unique_ptr<LiveReplay> replay_;
+};
+
+}  // namespace
+
+Result<Outcome> run_live(const LiveOptions& options, Console& console,
+                         const std::function<void(const std::string&)>& announce) {
+  for (const std::filesystem::path& folder : {options.listening.sessions, options.listening.buildings}) {
+    std::error_code error;
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (error) return Problem{{folder.string()}, "cannot be made: " + error.message()};
+  }
+  const auto site = LiveSite::open(options.listening, console, announce);
+  if (!site) return site.problems();
+  LiveRun run(options, console, **site);
+  return run.run();
+}
+
+Result<Outcome> run_watched(const LiveListening& listening, const std::string& verb, const WatchedWork& work,
+                            Console& console, const std::function<void(const std::string&)>& announce) {
+  const auto site = LiveSite::open(listening, console, announce);
+  if (!site) return site.problems();
+  LiveControl control(
+      console.progress, (*site)->server(), (*site)->mission_calls(), listening.rate,
+      [&](const ServiceCall& call) {
+        call.refuse(fmt::format("`aisle {}` can only be watched; `aisle live` offers this service", verb));
+      });
+  control.state().mode = "mission";
+  control.state().mission = verb;
+  control.begin();
+  Console watched{control, console.warn, &control};
+  return work(watched, hand_of(control));
+}
+
+}  // namespace aisle

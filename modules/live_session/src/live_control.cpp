@@ -1,0 +1,188 @@
+#include "live_control.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/map_messages.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kStateEvery_s = 0.5;
+
+const SessionTopic& state_topic() {
+  static const SessionTopic topic{"/live/state", ros::String::kType, true};
+  return topic;
+}
+
+std::string text_of(const nlohmann::json& arguments, const char* key) {
+  const auto found = arguments.find(key);
+  return found != arguments.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::optional<Mark::Kind> mark_kind(const std::string& name) {
+  static const std::map<std::string, Mark::Kind> kinds = {{"place", Mark::Kind::kPlace},
+                                                          {"stop", Mark::Kind::kStop},
+                                                          {"turning begins", Mark::Kind::kTurningBegins},
+                                                          {"turning ends", Mark::Kind::kTurningEnds}};
+  const auto found = kinds.find(name);
+  return found == kinds.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace
+
+std::vector<LiveService> control_services(ServiceMailbox& calls) {
+  std::vector<LiveService> services;
+  for (const char* name : {"mission/pause", "mission/resume", "mission/stop", "mission/emergency_release",
+                           "mission/mark", "mission/finish"})
+    services.push_back({name, true, &calls});
+  services.push_back({"mission/emergency_stop", false, &calls});
+  return services;
+}
+
+LiveControl::LiveControl(Progress& progress, LiveServer& server, ServiceMailbox& calls, double rate,
+                         OtherCalls others)
+    : progress_(progress),
+      server_(server),
+      calls_(calls),
+      others_(std::move(others)),
+      pace_(clock_, rate),
+      hand_(server.drive()) {
+  state_.rate = rate;
+}
+
+void LiveControl::begin() {
+  server_.forget_latched();
+  hand_.begin();
+  pace_.rest();
+  stamp_.reset();
+  shall_stop_ = was_stopped_ = false;
+  state_.is_paused = false;
+  state_.stamp_s = 0;
+  state_.task.clear();
+  state_.done = state_.total = 0;
+  reported_.clear();
+  tell_state();
+}
+
+void LiveControl::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {
+  if (stamp_ != stamp) server_.take_time(stamp);
+  stamp_ = stamp;
+  server_.take(topic, stamp, cdr);
+  if (topic.name == "/session") show_map(stamp, cdr);
+}
+
+/// Shows what the mission knows of the building before it begins.
+void LiveControl::show_map(ros::Stamp_ns stamp, std::string_view session_cdr) {
+  const auto text = parse_cdr<ros::String>(session_cdr);
+  if (!text) return;
+  const auto origin = parse_session_origin(text->data, "the session");
+  if (!origin || origin->building.empty()) return;
+  if (const auto building = parse_building(origin->building, "building"))
+    server_.take(map_topic(), stamp, map_cdr(stamp, *building));
+}
+
+void LiveControl::report(std::string_view task, std::size_t done, std::size_t total) {
+  progress_.report(task, done, total);
+  state_.task = task;
+  state_.done = done;
+  state_.total = total;
+  const bool is_cycle = total == 0 && stamp_;
+  if (is_cycle) keep_pace();
+  serve(0);
+  while (state_.is_paused && !shall_stop_) {
+    progress_.report(task, done, total);
+    serve(kPausedPoll_s);
+    pace_.rest();
+  }
+  stop_if_requested();
+}
+
+void LiveControl::set_rate(double rate) {
+  pace_.set_rate(rate);
+  state_.rate = rate;
+}
+
+void LiveControl::keep_pace() {
+  state_.stamp_s = static_cast<double>(*stamp_) / 1e9;
+  serve(pace_.wait_s(state_.stamp_s));
+}
+
+void LiveControl::serve(double duration_s) {
+  const double end_s = clock_.now_s() + duration_s;
+  while (!shall_stop_) {
+    const double left_s = std::max(0.0, end_s - clock_.now_s());
+    const auto call = calls_.wait(std::chrono::microseconds(static_cast<long>(left_s * 1e6)));
+    if (call) {
+      handle(*call);
+    } else if (left_s <= 0) {
+      break;
+    }
+  }
+  tell_state();
+}
+
+void LiveControl::tell_state() {
+  state_.lease_is_held = server_.lease_is_held();
+  std::string text = live_state_json(state_);
+  const double now_s = clock_.now_s();
+  LiveState still = state_;  // without what changes all the time
+  still.stamp_s = 0;
+  still.done = 0;
+  std::string news = live_state_json(still);
+  if (news == reported_ && now_s - reported_s_ < kStateEvery_s) return;
+  reported_ = std::move(news);
+  reported_s_ = now_s;
+  server_.take(state_topic(), stamp_.value_or(0), cdr_bytes(ros::String{std::move(text)}));
+}
+
+void LiveControl::stop_if_requested() {
+  if (!std::exchange(shall_stop_, false)) return;
+  was_stopped_ = true;
+  throw Interrupted{};
+}
+
+void LiveControl::handle(const ServiceCall& call) {
+  const std::string& service = call.service();
+  if (service == "mission/pause") {
+    state_.is_paused = true;
+    hand_.forget_command();
+  } else if (service == "mission/resume") {
+    state_.is_paused = false;
+  } else if (service == "mission/stop") {
+    shall_stop_ = state_.mode != "idle";
+  } else if (service == "mission/emergency_stop") {
+    shall_stop_ = state_.mode != "idle";
+    state_.is_emergency = true;
+    hand_.hold(true);
+  } else if (service == "mission/emergency_release") {
+    state_.is_emergency = false;
+    hand_.hold(false);
+  } else if (service == "mission/mark") {
+    return mark(call);
+  } else if (service == "mission/finish") {
+    if (!state_.is_driven_by_hand) return call.refuse("nobody drives by hand");
+    hand_.finish();
+  } else {
+    return others_(call);
+  }
+  call.answer(nlohmann::ordered_json::object());
+}
+
+void LiveControl::mark(const ServiceCall& call) {
+  const auto kind = mark_kind(text_of(call.arguments(), "kind"));
+  if (!kind) return call.refuse("kind: must be 'place', 'stop', 'turning begins' or 'turning ends'");
+  if (!state_.is_driven_by_hand) return call.refuse("marks are set while somebody drives by hand");
+  const std::string label = text_of(call.arguments(), "label");
+  constexpr std::size_t kLabelMax = 64;
+  if (label.size() > kLabelMax) return call.refuse("label: more than 64 characters");
+  hand_.mark({*kind, label});
+  call.answer(nlohmann::ordered_json::object());
+}
+
+}  // namespace aisle

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "aisle/core/clock.hpp"
+#include "aisle/core/progress.hpp"
+#include "aisle/live/live_server.hpp"
+#include "live_hand.hpp"
+#include "live_pace.hpp"
+#include "live_state.hpp"
+
+namespace aisle {
+
+/// Period at which a paused mission polls the requests of clients.
+inline constexpr double kPausedPoll_s = 0.05;
+
+/// The names of the services that LiveControl answers.
+std::vector<LiveService> control_services(ServiceMailbox& calls);
+
+/// Connects a mission to the live server: shows what the mission records, keeps pace with real time, and
+/// serves the requests of clients once per cycle: pause, stop, marks.
+class LiveControl final : public Progress, public MessageSink {
+ public:
+  /// Answers the calls of services that are not in control_services().
+  using OtherCalls = std::function<void(const ServiceCall&)>;
+
+  /// All references must outlive the control.
+  LiveControl(Progress& progress, LiveServer& server, ServiceMailbox& calls, double rate, OtherCalls others);
+
+  LiveState& state() { return state_; }
+  LiveHand& hand() { return hand_; }
+
+  /// A mission begins: forgets what was shown of the previous one.
+  void begin();
+
+  void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) override;
+  void take_truth(const Pose2& T_world_vehicle) override { T_world_vehicle_ = T_world_vehicle; }
+
+  /// Throws Interrupted if the mission must stop, by Ctrl-C or by a client.
+  void report(std::string_view task, std::size_t done, std::size_t total) override;
+
+  /// Whether a client stopped the mission.
+  bool was_stopped() const { return was_stopped_; }
+  /// Last true pose of the vehicle in the simulator.
+  const std::optional<Pose2>& T_world_vehicle() const { return T_world_vehicle_; }
+
+  /// Serves requests for a duration [s]; at least those that have already arrived.
+  void serve(double duration_s);
+  /// Simulated time stands still for a while, then continues from the same value.
+  void rest() { pace_.rest(); }
+  double rate() const { return pace_.rate(); }
+  void set_rate(double rate);
+  /// Sends the state to all clients if it changed or the last one is half a second old.
+  void tell_state();
+
+ private:
+  void show_map(ros::Stamp_ns stamp, std::string_view session_cdr);
+  void handle(const ServiceCall& call);
+  void mark(const ServiceCall& call);
+  void stop_if_requested();
+  void keep_pace();
+
+  Progress& progress_;
+  LiveServer& server_;
+  ServiceMailbox& calls_;
+  OtherCalls others_;
+  SteadyClock clock_;
+  LivePace pace_;
+  LiveHand hand_;
+  LiveState state_;
+  std::optional<ros::Stamp_ns> stamp_;
+  std::string reported_;
+  double reported_s_ = -1;
+  bool shall_stop_ = false;
+  bool was_stopped_ = false;
+  std::optional<Pose2> T_world_vehicle_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,123 @@
+#include "live_replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/formats/sessions/session_summary.hpp"
+#include "live_arguments.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kRateMin = 0.1, kRateMax = 20;
+
+double seconds_of(ros::Stamp_ns duration) {
+  return static_cast<double>(duration) / 1e9;
+}
+
+}  // namespace
+
+Problems LiveReplay::run() {
+  const auto summary = summarise_session(session_);
+  if (!summary) return summary.problems();
+  first_ = summary->first;
+  last_ = summary->last;
+  if (Problems problems = open(); !problems.empty()) return problems;
+  try {
+    return play();
+  } catch (const Interrupted&) {
+    if (!control_.was_stopped()) throw;
+    return {};
+  }
+}
+
+Problems LiveReplay::open() {
+  auto reader = SessionReader::open(session_);
+  if (!reader) return reader.problems();
+  reader_.emplace(std::move(*reader));
+  at_ = first_;
+  has_ended_ = false;
+  return {};
+}
+
+Problems LiveReplay::play() {
+  while (!is_stopped_) {
+    if (const auto to_s = std::exchange(seek_to_s_, std::nullopt)) {
+      if (Problems problems = seek(*to_s); !problems.empty()) return problems;
+    }
+    tell(seconds_of(at_ - first_));
+    if (!is_playing_ || has_ended_) {
+      control_.rest();
+      control_.serve(kPausedPoll_s);
+      control_.report("replay", 0, 0);
+      continue;
+    }
+    const auto shown = show_next();
+    if (!shown) return shown.problems();
+    has_ended_ = !*shown;
+  }
+  return {};
+}
+
+/// Shows one message; one that begins a cycle is shown when it is due.
+Result<bool> LiveReplay::show_next() {
+  const auto message = reader_->next();
+  if (!message) return message.problems();
+  if (!*message) return false;
+  const auto& [topic, stamp, cdr] = **message;
+  const bool begins_cycle = stamp != at_;
+  at_ = stamp;
+  if (!topic.name.starts_with("/truth")) control_.take(topic, stamp, cdr);
+  if (begins_cycle) control_.report("replay", 0, 0);
+  return true;
+}
+
+/// Jumps to a time, from the session's start if it lies behind; shows the latest message of every topic.
+Problems LiveReplay::seek(double to_s) {
+  const auto to = first_ + static_cast<ros::Stamp_ns>(
+                               std::llround(std::clamp(to_s, 0.0, seconds_of(last_ - first_)) * 1e9));
+  if (Problems problems = open(); !problems.empty()) return problems;
+  while (at_ < to) {
+    const auto message = reader_->next();
+    if (!message) return message.problems();
+    if (!*message) break;
+    const auto& [topic, stamp, cdr] = **message;
+    at_ = stamp;
+    if (topic.latched || stamp >= to) control_.take(topic, stamp, cdr);
+  }
+  control_.rest();
+  return {};
+}
+
+void LiveReplay::tell(double at_s) {
+  LiveState& state = control_.state();
+  state.replay = {{"session", session_.filename().string()}, {"from_s", 0},
+                  {"to_s", seconds_of(last_ - first_)},      {"at_s", at_s},
+                  {"playing", is_playing_ && !has_ended_},   {"rate", control_.rate()}};
+}
+
+void LiveReplay::take_call(const ServiceCall& call) {
+  const std::string& service = call.service();
+  LiveArguments arguments(call.arguments());
+  if (service == "replay/play") {
+    is_playing_ = true;
+    if (has_ended_) seek_to_s_ = 0;
+  } else if (service == "replay/pause") {
+    is_playing_ = false;
+  } else if (service == "replay/seek") {
+    const auto to_s = arguments.number("to_s");
+    if (!to_s) return call.refuse("to_s: must be a number of seconds from the session's beginning");
+    seek_to_s_ = *to_s;
+  } else if (service == "replay/rate") {
+    const auto rate = arguments.number("rate");
+    if (!rate || *rate < kRateMin || *rate > kRateMax) return call.refuse("rate: must be from 0.1 to 20");
+    control_.set_rate(*rate);
+  } else if (service == "replay/stop") {
+    is_stopped_ = true;
+  } else {
+    return call.refuse("a session is being replayed; replay/stop ends it");
+  }
+  call.answer(nlohmann::ordered_json::object());
+}
+
+}  // namespace aisle

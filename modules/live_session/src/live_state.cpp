@@ -1,0 +1,50 @@
+#include "live_state.hpp"
+
+namespace aisle {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+}  // namespace
+
+std::string live_state_json(const LiveState& state) {
+  OrderedJson json = {{"mode", state.mode},
+                      {"mission", state.mission},
+                      {"world", state.world},
+                      {"vehicle", state.vehicle},
+                      {"paused", state.is_paused},
+                      {"emergency", state.is_emergency},
+                      {"driven_by_hand", state.is_driven_by_hand},
+                      {"lease_held", state.lease_is_held},
+                      {"stamp_s", state.stamp_s},
+                      {"rate", state.rate},
+                      {"task", state.task},
+                      {"done", state.done},
+                      {"total", state.total},
+                      {"session", state.session}};
+  if (!state.replay.is_null()) json["replay"] = state.replay;
+  if (!state.last.is_null()) json["last"] = state.last;
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+OrderedJson live_end(const std::string& mission, const Result<Outcome>& outcome) {
+  OrderedJson problems = OrderedJson::array();
+  if (!outcome) {
+    for (const Problem& problem : outcome.problems()) problems.push_back(to_string(problem));
+  }
+  return {{"mission", mission},
+          {"ok", outcome.ok() && outcome->ok},
+          {"text", outcome ? outcome->text : ""},
+          {"figures", outcome ? outcome->figures : OrderedJson::object()},
+          {"problems", std::move(problems)}};
+}
+
+OrderedJson live_end_stopped(const std::string& mission) {
+  return {{"mission", mission},
+          {"ok", false},
+          {"text", "stopped"},
+          {"figures", OrderedJson::object()},
+          {"problems", OrderedJson::array()}};
+}
+
+}  // namespace aisle

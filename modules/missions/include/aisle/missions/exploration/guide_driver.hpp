@@ -1,0 +1,64 @@
+#pragma once
+/// Makes the navigator of `go` and `patrol` for missions and for their replays, both from the origin that the
+/// session records.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "aisle/core/result.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
+#include "aisle/guidance/exploration/guide_navigator.hpp"
+#include "aisle/maps/corridor_path.hpp"
+
+namespace aisle {
+
+/// Where a vehicle is sent in a building.
+struct Goal {
+  std::vector<Vec2> p_map_places;  ///< in order
+  double shortest_m = 0;           ///< length of the shortest path along the corridors, from home
+};
+
+/// Goal at one place: the name of a place or of a corridor node ("crossing 2", "end 1"), or "x,y" in the map
+/// [m]. An unknown name is a problem that lists the known ones.
+Result<Goal> goal_to(const Building& building, const std::string& place);
+
+/// Goal along all corridors, `rounds` times, and home again.
+Result<Goal> patrol_goal(const Building& building, int rounds);
+
+/// Where missions in a building begin: its place "home", else the map's origin.
+Pose2 home_of(const Building& building);
+
+/// Owns the building that its navigator drives in.
+class GuideDriver final : public Navigator {
+ public:
+  static constexpr const char* kName = "guide";  ///< name of the navigator in a session
+
+  /// What a session records of it. The caller sets the seed.
+  /// @param building  the text of a building file
+  /// @param goal    "go PLACE" or "patrol ROUNDS"
+  static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string goal);
+
+  /// Problems: parameters and building that cannot be read, a building without walls, floor or corridors, an
+  /// unknown place, a vehicle without a range scanner.
+  static Result<std::unique_ptr<GuideDriver>> make(const SessionOrigin& origin,
+                                                   const VehicleDescription& vehicle);
+
+  GuideDriver(const GuideNavigatorParams& params, const VehicleDescription& vehicle, Building building,
+              Goal goal);
+  GuideDriver(const GuideDriver&) = delete;
+  GuideDriver& operator=(const GuideDriver&) = delete;
+
+  Decision step(const Observation& observation) override { return navigator_.step(observation); }
+
+  const Building& building() const { return building_; }
+  const Goal& goal() const { return goal_; }
+  const GuideNavigator& navigator() const { return navigator_; }
+
+ private:
+  Building building_;
+  Goal goal_;
+  GuideNavigator navigator_;
+};
+
+}  // namespace aisle

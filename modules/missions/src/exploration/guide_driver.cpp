@@ -1,0 +1,162 @@
+#include "aisle/missions/exploration/guide_driver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/missions/changed_parameters.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr int kRoundsMax = 1000;
+
+Problem place_problem(const std::string& what) {
+  return {{"", 0, "PLACE"}, what};
+}
+
+/// "x,y" in metres.
+std::optional<Vec2> point_of(const std::string& text) {
+  Vec2 p = Vec2::Zero();
+  const char* const end = text.data() + text.size();
+  const auto x = std::from_chars(text.data(), end, p.x());
+  if (x.ec != std::errc() || x.ptr == end || *x.ptr != ',') return std::nullopt;
+  const auto y = std::from_chars(x.ptr + 1, end, p.y());
+  if (y.ec != std::errc() || y.ptr != end || !p.allFinite()) return std::nullopt;
+  return p;
+}
+
+std::string known_names(const Building& building) {
+  std::vector<std::string> names;
+  for (const MapPlace& place : building.places) names.push_back(place.name);
+  for (std::size_t i = 0; i < building.corridors.nodes.size(); ++i)
+    names.push_back(building.corridors.name_of(i));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Result<Vec2> find_place(const Building& building, const std::string& text) {
+  for (const MapPlace& place : building.places) {
+    if (place.name == text) return place.T_map_place.position();
+  }
+  for (std::size_t i = 0; i < building.corridors.nodes.size(); ++i) {
+    if (building.corridors.name_of(i) == text) return building.corridors.nodes[i].p_map;
+  }
+  const auto point = point_of(text);
+  if (!point)
+    return place_problem(
+        fmt::format("'{}' is unknown; there are {}, and any x,y", text, known_names(building)));
+  if (building.floor->at(*point) != Floor::kFree)
+    return place_problem(fmt::format("nothing is known at {} that could be driven on", text));
+  return *point;
+}
+
+/// Length of the path from one point to another along the corridors, with the legs to and from them.
+double shortest_m(const CorridorGraph& graph, const Vec2& from, const Vec2& to) {
+  const auto first = graph.nearest(from), last = graph.nearest(to);
+  if (!first || !last) return (to - from).norm();
+  const auto path = shortest_path(graph, *first, *last);
+  return path ? first->lateral_m + path->length_m() + last->lateral_m : 0;
+}
+
+std::size_t node_nearest(const CorridorGraph& graph, const Vec2& p_map) {
+  const auto nearest = std::min_element(graph.nodes.begin(), graph.nodes.end(),
+                                        [&](const CorridorNode& a, const CorridorNode& b) {
+                                          return (a.p_map - p_map).norm() < (b.p_map - p_map).norm();
+                                        });
+  return static_cast<std::size_t>(nearest - graph.nodes.begin());
+}
+
+Problems check_guidable(const Building& building, const VehicleDescription& vehicle) {
+  Problems problems;
+  const auto need = [&](bool is_there, const char* key) {
+    if (!is_there)
+      problems.push_back(
+          {{"", 0, key}, "are missing: the building was not explored; 'aisle explore' does that"});
+  };
+  need(!building.walls.walls.empty(), "walls");
+  need(!building.corridors.nodes.empty(), "corridors");
+  need(building.floor && !building.floor->known().empty(), "floor.rows");
+  if (!vehicle.scanner) problems.push_back({{"", 0, "scanner"}, "is missing: the vehicle cannot see walls"});
+  return problems;
+}
+
+Result<Goal> goal_of(const Building& building, const std::string& text) {
+  const std::size_t space = text.find(' ');
+  const std::string verb = text.substr(0, space),
+                    rest = space == std::string::npos ? "" : text.substr(space + 1);
+  if (verb == "go") return goal_to(building, rest);
+  int rounds = 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), rounds);
+  if (verb == "patrol" && error == std::errc() && end == rest.data() + rest.size())
+    return patrol_goal(building, rounds);
+  return Problem{{"", 0, "route"}, fmt::format("'{}' is neither 'go PLACE' nor 'patrol ROUNDS'", text)};
+}
+
+}  // namespace
+
+Pose2 home_of(const Building& building) {
+  const auto home = std::find_if(building.places.begin(), building.places.end(),
+                                 [](const MapPlace& place) { return place.name == kHomePlace; });
+  return home == building.places.end() ? Pose2{} : home->T_map_place;
+}
+
+Result<Goal> goal_to(const Building& building, const std::string& place) {
+  const auto p_map = find_place(building, place);
+  if (!p_map) return p_map.problems();
+  return Goal{{*p_map}, shortest_m(building.corridors, home_of(building).position(), *p_map)};
+}
+
+Result<Goal> patrol_goal(const Building& building, int rounds) {
+  if (rounds < 1 || rounds > kRoundsMax)
+    return Problem{{"", 0, "--rounds"}, fmt::format("{} is outside 1 .. {}", rounds, kRoundsMax)};
+  const CorridorGraph& graph = building.corridors;
+  const Vec2 p_map_home = home_of(building).position();
+  const std::size_t start = node_nearest(graph, p_map_home);
+  const CorridorPath round = patrol_path(graph, start);
+  Goal goal;
+  goal.shortest_m = 2 * shortest_m(graph, p_map_home, graph.nodes[start].p_map) + rounds * round.length_m();
+  for (int i = 0; i < rounds; ++i) {
+    for (const CorridorLeg& leg : round.legs) {
+      const Corridor& corridor = graph.corridors[leg.corridor];
+      goal.p_map_places.push_back(corridor.at((leg.from_m + leg.to_m) / 2));
+      goal.p_map_places.push_back(corridor.at(leg.to_m));
+    }
+  }
+  goal.p_map_places.push_back(p_map_home);
+  return goal;
+}
+
+SessionOrigin GuideDriver::origin(const GuideNavigatorParams& params, std::string building,
+                                  std::string goal) {
+  SessionOrigin origin;
+  origin.navigator = kName;
+  origin.parameters = changed_parameters(params);
+  origin.building = std::move(building);
+  origin.route = std::move(goal);
+  return origin;
+}
+
+Result<std::unique_ptr<GuideDriver>> GuideDriver::make(const SessionOrigin& origin,
+                                                       const VehicleDescription& vehicle) {
+  auto building = parse_building(origin.building, "building");
+  if (!building) return building.problems();
+  GuideNavigatorParams params;
+  if (Problems problems = assign_all(params, origin.parameters); !problems.empty()) return problems;
+  if (Problems problems = check_guidable(*building, vehicle); !problems.empty()) return problems;
+  auto goal = goal_of(*building, origin.route);
+  if (!goal) return goal.problems();
+  return std::make_unique<GuideDriver>(params, vehicle, std::move(*building), std::move(*goal));
+}
+
+GuideDriver::GuideDriver(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
+                         Building building, Goal goal)
+    : building_(std::move(building)),
+      goal_(std::move(goal)),
+      navigator_(params, vehicle, building_, home_of(building_), goal_.p_map_places, scanner_scans(vehicle)) {
+}
+
+}  // namespace aisle

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/trials/trial_options.hpp"
+
+namespace aisle {
+
+/// `aisle trial METHOD --seeds A..B`: runs complete simulated missions, one per seed: teach, learn, drive
+/// autonomously, refine. The outcome is ok if every mission arrived without a collision.
+Result<Outcome> run_trial(const TrialOptions& options, Console& console);
+
+/// Every parameter of `aisle trial` with its default.
+Outcome trial_parameters();
+
+}  // namespace aisle

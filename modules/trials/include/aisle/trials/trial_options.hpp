@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/commands/parameter_sources.hpp"
+#include "aisle/maps/room_route.hpp"
+#include "aisle/missions/exploration/exploring_sensor.hpp"
+#include "aisle/simulation/buildings/random_building.hpp"
+
+namespace aisle {
+
+struct TrialOptions {
+  std::string method = "landmarks";
+  std::uint64_t first_seed = 1;
+  std::uint64_t last_seed = 1;
+  std::vector<std::string> worlds;  ///< taken in turn; empty: a random building for each seed
+  double plan_pixel_m = 0.05;       ///< side of a plan's pixel, unless its file gives it (explore)
+  ExploringSensor sensor = ExploringSensor::kScanner;  ///< explore
+  std::string vehicle;   ///< empty: the method's default, alv or mini (sections)
+  std::string scenario;  ///< file or shipped name; empty: no faults
+  ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
+  int teachings = 1;    ///< taught runs before the route is driven autonomously (sections)
+  int refinements = 0;  ///< runs after the first, each refining the building before the next (landmarks)
+  std::optional<double> speed_mps;
+  bool in_reverse = false;
+  bool close = false;            ///< turnings: pairs that are too close for the vehicle
+  std::optional<double> lift_m;  ///< kidnap: the vehicle is put so far ahead or back on its path (landmarks)
+  std::optional<BuildingKind> kind;  ///< of random buildings; none: all kinds in turn
+  double noise_scale = 1;            ///< factor on the odometry's errors (explore)
+  ParameterSources parameters;
+};
+
+}  // namespace aisle

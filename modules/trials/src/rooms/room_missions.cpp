@@ -1,0 +1,61 @@
+#include "rooms/room_missions.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/missions/rooms/room_driver.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kFalseStop_m = 0.5;  // a vehicle that parks farther away has taken another place for this
+
+}  // namespace
+
+SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& change, Random& random) {
+  for (Furniture& piece : setting.world.furniture) {
+    piece.centre.x() += random.uniform(-change.furniture_m, change.furniture_m);
+    piece.centre.y() += random.uniform(-change.furniture_m, change.furniture_m);
+  }
+  LightChange& change_of_light = setting.scenario.events.emplace_back().fault.emplace<LightChange>();
+  change_of_light.light = 1 + random.uniform(-change.light_share, change.light_share);
+  return setting;
+}
+
+void RoomTrial::add(const JudgedRoomMission& judged, std::uint64_t seed, const std::string& route) {
+  const RoomMissionResult& result = judged.mission;
+  const RoomErrors& errors = *judged.errors;
+  ++missions;
+  const bool is_at_place = errors.end_m < kFalseStop_m;
+  arrived += result.parked() && is_at_place ? 1U : 0U;
+  false_stops += result.end.arrived && !is_at_place ? 1U : 0U;
+  stopped += !result.end.arrived && result.is_unharmed() ? 1U : 0U;
+  collisions += result.truth->collisions;
+  if (result.end.arrived) {
+    end_m.add(errors.end_m);
+    end_deg.add(to_degrees(errors.end_rad));
+    clearance_m.add(errors.clearance_m);
+  }
+  cycle_s.insert(cycle_s.end(), result.cycle_s.begin(), result.cycle_s.end());
+  nlohmann::ordered_json run = {{"seed", seed}, {"route", route}};
+  run.update(figures_of(judged));
+  runs.push_back(std::move(run));
+}
+Result<JudgedRoomMission> drive_taught(SimulationSetting setting, const TaughtRoute& taught,
+                                       const RoomNavigatorParams& params, std::uint64_t seed,
+                                       const Pose2& T_world_start, double from_m, Progress& progress) {
+  VehicleDescription& vehicle = setting.vehicle.description;
+  const ParkingStrategy parking = taught.route.room->parking;
+  RoomNavigator navigator(params, vehicle, taught.route, from_m);
+  keep_cameras(vehicle, cameras_for(taught.route));
+  SimulatedVehicle driven = vehicle_in(setting, T_world_start, 1000 * (seed + 1));
+  std::optional<SessionRecord> no_session;
+  auto mission = drive_room_mission(driven, &driven, navigator, no_session, progress);
+  if (!mission) return mission.problems();
+  return judged(
+      std::move(*mission), setting.world, vehicle.footprint,
+      due_end(setting.world, vehicle.footprint, parking, taught.place.end(), params.frame_backing.wanted));
+}
+
+}  // namespace aisle

@@ -1,0 +1,73 @@
+#include "aisle/trials/trial.hpp"
+
+#include <string_view>
+
+#include "aisle/commands/method.hpp"
+#include "aisle/commands/parameter_listing.hpp"
+#include "exploration/exploration_trial.hpp"
+#include "landmarks/landmark_trial.hpp"
+#include "rooms/room_trial.hpp"
+#include "sections/section_trial.hpp"
+
+namespace aisle {
+namespace {
+
+struct TrialParams {
+  LandmarkCourseParams landmarks;
+  SectionTrialParams sections;
+  RoomTrialParams route;
+
+  void describe(FieldList& fields) {
+    landmarks.describe(fields);
+    fields.group("sections", sections);
+    fields.group("route", route);
+  }
+};
+
+Result<TrialParams> read_params(const TrialOptions& options) {
+  TrialParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  if (options.speed_mps)
+    params.landmarks.navigator.speed.speed_mps = params.sections.navigator.speed.speed_mps =
+        params.route.navigator.speed_mps = *options.speed_mps;
+  return params;
+}
+
+/// A trial with its part of the parameters.
+template <auto trial, auto part>
+Result<Outcome> with_params(const TrialOptions& options, Console& console) {
+  const auto params = read_params(options);
+  if (!params) return params.problems();
+  return trial(options, (*params).*part, console);
+}
+
+/// What `aisle trial` can try.
+struct TrialMethod {
+  std::string_view name;
+  Result<Outcome> (*run)(const TrialOptions& options, Console& console);
+};
+
+constexpr TrialMethod kTrialMethods[] = {
+    {"landmarks", with_params<trial_by_landmarks, &TrialParams::landmarks>},
+    {"sections", with_params<trial_by_sections, &TrialParams::sections>},
+    {"route", with_params<trial_by_route, &TrialParams::route>},
+    {"turnings", with_params<trial_of_turnings, &TrialParams::route>},
+    {"park", with_params<trial_of_parking, &TrialParams::route>},
+    {"explore", run_exploration_trial}};
+
+}  // namespace
+
+Outcome trial_parameters() {
+  TrialParams params;
+  return parameter_listing("trial", fields_of(params));
+}
+
+Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
+  for (const TrialMethod& trial : kTrialMethods) {
+    if (trial.name == options.method) return trial.run(options, console);
+  }
+  return method_named(options.method).problems();
+}
+
+}  // namespace aisle
