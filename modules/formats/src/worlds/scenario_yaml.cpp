@@ -20,8 +20,7 @@ class ScenarioReader {
   explicit ScenarioReader(const std::string& file) : nodes_(file) {}
 
   Result<Scenario> read(const YAML::Node& document) {
-    const WorldFields fields = {{.key = "name", .target = &scenario_.name, .range = {}},
-                                {.key = "world", .target = &scenario_.world, .range = {}}};
+    const ObjectFields fields = {field::text("name", scenario_.name), field::text("world", scenario_.world)};
     if (document.IsMap()) {
       nodes_.read_map(
           document, "", fields,
