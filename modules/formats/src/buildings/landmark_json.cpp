@@ -43,7 +43,7 @@ JsonPart seen_from_part(std::string_view key, Vec2& seen_from) {
   return {key,
           [&seen_from] {
             if (seen_from.isZero()) return std::string();
-            return std::to_string(std::lround(to_degrees(std::atan2(seen_from.y(), seen_from.x()))));
+            return std::to_string(std::lround(to_degrees(heading_of(seen_from))));
           },
           [&seen_from](const JsonValue& value) {
             double heading_rad = 0;
