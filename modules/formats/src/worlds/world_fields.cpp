@@ -117,11 +117,10 @@ ObjectFields fields_of(WorldRoute& route) {
 }
 
 ObjectFields fields_of(TaughtTurning& turning) {
-  constexpr int kTurnings = 13;
   constexpr Range kLength_m = {0, 20};
   return {needed(field::text("route", turning.route)),
-          needed(field::count("number", turning.number, {1, kTurnings})), needed(point("at", turning.at)),
-          field::number("before_m", turning.before_m, kLength_m),
+          needed(field::count("number", turning.number, {1, kTurningNumbers})),
+          needed(point("at", turning.at)), field::number("before_m", turning.before_m, kLength_m),
           field::number("after_m", turning.after_m, kLength_m)};
 }
 

@@ -41,6 +41,14 @@ auto find_key(const Entries& entries, std::string_view key) {
 
 }  // namespace
 
+WorldNodeReader::Section WorldNodeReader::constant(std::string_view key, std::string_view value) {
+  const auto read = [this, value](const YAML::Node& node, const std::string& path) {
+    if (!node.IsScalar() || node.Scalar() != value)
+      problem(node, path, fmt::format("is not {}, the only one supported", value));
+  };
+  return {key, read, true};
+}
+
 void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, const ObjectFields& fields,
                                const std::vector<Section>& sections) {
   if (!map.IsMap()) {
@@ -59,7 +67,7 @@ void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, co
     if (const auto field = find_key(fields, name); field != fields.end()) {
       read_field(entry.second, inner, *field);
     } else if (const auto section = find_key(sections, name); section != sections.end()) {
-      section->read(entry.second);
+      section->read(entry.second, inner);
     } else {
       problem(entry.first, inner, fmt::format("unknown key (known: {})", known_keys(fields, sections)));
     }

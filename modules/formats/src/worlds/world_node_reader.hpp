@@ -17,14 +17,17 @@ namespace aisle {
 /// Reads the nodes of a world file into fields; collects all problems instead of stopping at the first.
 class WorldNodeReader {
  public:
-  /// Reads the value of a key that is not a plain field.
+  /// Reads the value of a key that is not a plain field; takes the value's key path too.
   struct Section {
     std::string_view key;
-    std::function<void(const YAML::Node&)> read;
+    std::function<void(const YAML::Node&, const std::string&)> read;
     bool is_needed = false;
   };
 
   explicit WorldNodeReader(const std::string& file) : problems_(file) {}
+
+  /// A needed key that has one possible value.
+  Section constant(std::string_view key, std::string_view value);
 
   /// Reads a map: duplicate keys, unknown keys and missing needed keys are problems. `key` is the map's key
   /// path; empty: the map is the whole file.
