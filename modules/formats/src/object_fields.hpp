@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -55,7 +56,7 @@ using ObjectFields = std::vector<ObjectField>;
 
 namespace field {
 
-inline constexpr Range kAnyCount = {0, 2147483647};
+inline constexpr Range kAnyCount = {0, std::numeric_limits<int>::max()};
 
 ObjectField number(std::string_view key, double& target, Range range, Digits digits = {});
 /// The key ends in _deg, the variable holds radians.

@@ -1,6 +1,6 @@
 #pragma once
-/// Keys of parameter, world and building files as release 0.1 named them. They are still read; release 0.3 may
-/// drop them, a building's with versions 1 and 2 of its format.
+/// Keys of parameter, world and building files as release 0.1 named them. They are still read; release 0.3
+/// may drop them, a building's with versions 1 and 2 of its format.
 
 #include <string>
 #include <string_view>
