@@ -43,7 +43,7 @@ class PointSums {
     const double radius2 = solution.z() + centre.squaredNorm();
     if (!(radius2 > 0) || !std::isfinite(radius2)) return {};
     const double algebraic = std::max(0.0, square_square_ - solution.dot(with_square_));
-    const double side = last_.x() * centre.y() - last_.y() * centre.x();
+    const double side = cross(last_, centre);
     return {std::copysign(1 / std::sqrt(radius2), side), algebraic / (4 * radius2)};
   }
 

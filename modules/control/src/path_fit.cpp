@@ -209,7 +209,7 @@ Path from_dot_to_dot(std::span<const Pose2> driven) {
   for (const Pose2& pose : driven) {
     const Vec2 step = pose.position() - T_map_here.position();
     if (step.norm() == 0) continue;
-    const double towards_rad = std::atan2(step.y(), step.x());
+    const double towards_rad = heading_of(step);
     const bool backwards = std::abs(wrap_angle(towards_rad - pose.theta)) > kPi / 2;
     const double turn_rad = wrap_angle(towards_rad - T_map_here.theta + (backwards ? kPi : 0));
     pieces.push_back({T_map_here, {0, turn_rad}});

@@ -53,6 +53,12 @@ std::string_view present_part(std::string_view part) {
 
 }  // namespace
 
+std::string_view former_key(std::string_view present_key) {
+  const auto renamed = std::find_if(kRenamed.begin(), kRenamed.end(),
+                                    [&](const auto& names) { return names.second == present_key; });
+  return renamed == kRenamed.end() ? present_key : renamed->first;
+}
+
 std::string present_key(std::string_view former_key) {
   std::string key;
   for (std::size_t begin = 0; begin <= former_key.size();) {

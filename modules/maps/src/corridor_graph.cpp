@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "aisle/geometry/polyline.hpp"
 #include "aisle/geometry/segment2.hpp"
 
 namespace aisle {
@@ -19,9 +20,7 @@ std::string_view name_of(CorridorNode::Kind kind) {
 }
 
 double Corridor::length_m() const {
-  double sum_m = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) sum_m += (path[i] - path[i - 1]).norm();
-  return sum_m;
+  return polyline_length_m(path);
 }
 
 Vec2 Corridor::at(double along_m) const {

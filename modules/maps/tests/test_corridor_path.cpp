@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "aisle/geometry/polyline.hpp"
 #include "aisle/maps/corridor_path.hpp"
 #include "corridor_graphs.hpp"
 
@@ -97,9 +98,7 @@ RC_GTEST_PROP(CorridorPath, ItsPointsAreAsLongAsItsLegsFromPlaceToPlace, (std::u
   const std::vector<Vec2> points = path->points(graph);
   RC_ASSERT((points.front() - from.p_map).norm() < 1e-9);
   RC_ASSERT((points.back() - to.p_map).norm() < 1e-9);
-  double sum_m = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum_m += (points[i] - points[i - 1]).norm();
-  RC_ASSERT(std::abs(sum_m - path->length_m()) < 1e-9);
+  RC_ASSERT(std::abs(polyline_length_m(points) - path->length_m()) < 1e-9);
 }
 
 /// How often each corridor is driven; the path must be connected and end where it began.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/core/median.hpp"
 #include "aisle/core/square.hpp"
 
 namespace aisle {
@@ -71,9 +72,7 @@ void MwghtRefinement::match_nearest(const Pose2& displacement) {
 double MwghtRefinement::usual_distance() {
   distances_.clear();
   for (const Match& match : matches_) distances_.push_back(match.distance_m);
-  const auto middle = distances_.begin() + static_cast<std::ptrdiff_t>(distances_.size() / 2);
-  std::nth_element(distances_.begin(), middle, distances_.end());
-  return *middle;
+  return median_reordering(std::span(distances_));
 }
 
 UncertainPose2 MwghtRefinement::refine(const MwghtCell& cell, std::span<const WeightedPoint> learned,

@@ -1,20 +1,10 @@
 #include "polyline.hpp"
 
-#include <algorithm>
 #include <utility>
 
+#include "aisle/geometry/segment2.hpp"
+
 namespace aisle {
-namespace {
-
-double distance_to_segment(const Vec2& p, const Vec2& start, const Vec2& end) {
-  const Vec2 along = end - start;
-  const double square = along.squaredNorm();
-  const double share = square > 0 ? std::clamp((p - start).dot(along) / square, 0.0, 1.0) : 0;
-  return (p - start - share * along).norm();
-}
-
-}  // namespace
-
 std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance) {
   if (points.size() < 3) return points;
   std::vector<char> is_kept(points.size(), 0);
@@ -26,7 +16,7 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance) 
     std::size_t farthest = first;
     double farthest_off = tolerance;
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double off = distance_to_segment(points[i], points[first], points[last]);
+      const double off = Segment2{points[first], points[last]}.distance(points[i]);
       if (off > farthest_off) {
         farthest = i;
         farthest_off = off;

@@ -62,7 +62,7 @@ Pose2 Walker::pose_after(double distance_m) const {
       continue;
     }
     const Vec2 p = person_.path[i - 1] + std::min(left_m / leg_m, 1.0) * leg;
-    return {p.x(), p.y(), wrap_angle(std::atan2(leg.y(), leg.x()) + (goes_back ? kPi : 0))};
+    return {p.x(), p.y(), wrap_angle(heading_of(leg) + (goes_back ? kPi : 0))};
   }
   return {person_.path.front().x(), person_.path.front().y(), 0};
 }

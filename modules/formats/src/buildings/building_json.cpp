@@ -3,16 +3,7 @@
 #include <fmt/format.h>
 
 #include "aisle/formats/whole_file.hpp"
-#include "buildings/barrier_json.hpp"
-#include "buildings/camera_json.hpp"
-#include "buildings/corridor_json.hpp"
-#include "buildings/floor_json.hpp"
-#include "buildings/json_text.hpp"
-#include "buildings/json_value.hpp"
-#include "buildings/landmark_json.hpp"
-#include "buildings/route_json.hpp"
-#include "buildings/wall_direction_json.hpp"
-#include "buildings/wall_json.hpp"
+#include "buildings/building_parts.hpp"
 
 namespace aisle {
 namespace {
@@ -21,44 +12,32 @@ constexpr std::string_view kBuildingFormat = "aisle.building";
 constexpr int kBuildingVersion = 3;
 constexpr int kOldestVersion = 1;  // 1: landmarks in a list; 2: corridors with "way_m"
 
-Building read_parts(const JsonValue& root) {
-  Building building;
-  root.is_object_of({"format", "version", "name", "has_dominant_direction", "walls", "camera", "landmarks",
-                     "wall_directions", "routes", "corridors", "places", "barriers", "floor"});
-  if (const auto name = root.find("name")) name->read(building.name);
-  if (const auto dominant = root.find("has_dominant_direction"))
-    dominant->read(building.has_dominant_direction);
-  if (const auto walls = root.find("walls")) building.walls = read_walls(*walls);
-  if (const auto camera = root.find("camera")) building.camera = read_camera(*camera);
-  if (const auto landmarks = root.find("landmarks")) building.landmarks = read_landmarks(*landmarks);
-  if (const auto directions = root.find("wall_directions"))
-    building.wall_directions = read_wall_directions(*directions);
-  if (const auto routes = root.find("routes")) building.routes = read_routes(*routes);
-  if (const auto corridors = root.find("corridors")) building.corridors = read_corridors(*corridors);
-  if (const auto places = root.find("places")) building.places = read_places(*places);
-  if (const auto barriers = root.find("barriers")) building.barriers = read_barriers(*barriers);
-  if (const auto floor = root.find("floor")) building.floor = read_floor(*floor);
-  if (!building.landmarks.empty()) root.require("camera");
-  return building;
+/// A fact about the file that is checked before its parts are read.
+JsonPart header_part(std::string_view key, std::string text) {
+  return needed(JsonPart{key, [text = std::move(text)] { return text; }, [](const JsonValue&) {}});
+}
+
+JsonFields building_fields(Building& building) {
+  return {header_part("format", fmt::format("\"{}\"", kBuildingFormat)),
+          header_part("version", std::to_string(kBuildingVersion)),
+          field::text("name", building.name),
+          field::flag("has_dominant_direction", building.has_dominant_direction),
+          walls_part("walls", building.walls),
+          camera_part("camera", building.camera),
+          landmarks_part("landmarks", building.landmarks),
+          unless_empty(wall_directions_part("wall_directions", building.wall_directions)),
+          unless_empty(routes_part("routes", building.routes)),
+          corridors_part("corridors", building.corridors),
+          unless_empty(places_part("places", building.places)),
+          unless_empty(barriers_part("barriers", building.barriers)),
+          floor_part("floor", building.floor)};
 }
 
 }  // namespace
 
 std::string building_json(const Building& building) {
-  std::string text = fmt::format(
-      "{{\n\"format\": \"{}\",\n\"version\": {},\n\"name\": {},\n\"has_dominant_direction\": {}",
-      kBuildingFormat, kBuildingVersion, quoted_json(building.name), building.has_dominant_direction);
-  text += ",\n\"walls\": " + walls_json(building.walls);
-  if (building.camera) text += ",\n\"camera\": " + camera_json(*building.camera);
-  if (!building.landmarks.empty()) text += ",\n\"landmarks\": " + landmarks_json(building.landmarks);
-  if (!building.wall_directions.empty())
-    text += ",\n\"wall_directions\": " + wall_directions_json(building.wall_directions);
-  if (!building.routes.empty()) text += ",\n\"routes\": " + routes_json(building.routes);
-  if (!building.corridors.nodes.empty()) text += ",\n\"corridors\": " + corridors_json(building.corridors);
-  if (!building.places.empty()) text += ",\n\"places\": " + places_json(building.places);
-  if (!building.barriers.empty()) text += ",\n\"barriers\": " + barriers_json(building.barriers);
-  if (building.floor) text += ",\n\"floor\": " + floor_json(*building.floor);
-  return text + "\n}\n";
+  Building copy = building;  // the fields of an object serve reading too
+  return "{\n" + members_json(building_fields(copy), ",\n") + "\n}\n";
 }
 
 Result<Building> parse_building(std::string_view text, const std::string& name) {
@@ -72,14 +51,16 @@ Result<Building> parse_building(std::string_view text, const std::string& name) 
     return Problem{{name, 0, "format"},
                    fmt::format("is not \"{}\": this is not a building file", kBuildingFormat)};
   }
-  int version = 0;
-  if (const auto value = root.require("version")) value->read_count(version);
+  int version = kBuildingVersion;  // without one, its absence is reported with the other problems
+  if (const auto value = root.find("version")) value->read_count(version, field::kAnyCount);
   if (problems.empty() && (version < kOldestVersion || version > kBuildingVersion)) {
     return Problem{{name, 0, "version"},
                    fmt::format("{} is unknown; this program reads versions {} to {}", version, kOldestVersion,
                                kBuildingVersion)};
   }
-  Building building = read_parts(root);
+  Building building;
+  read_object(root, building_fields(building));
+  if (!building.landmarks.empty()) root.require("camera");
   if (!problems.empty()) return problems.take();
   return building;
 }

@@ -1,4 +1,4 @@
-#include "buildings/floor_json.hpp"
+#include "buildings/building_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "buildings/json_text.hpp"
-
 namespace aisle {
 namespace {
 
-constexpr double kCellMin_m = 0.01;
-constexpr double kCellMax_m = 1;
+constexpr Range kCell_m = {0.01, 1};
+constexpr Range kLowCell = {-FloorGrid::kReach, FloorGrid::kReach};
 constexpr int kRowCellsMax = 2 * FloorGrid::kReach + 1;
 constexpr std::size_t kRowsMax = kRowCellsMax;
 constexpr std::size_t kFloorCellsMax = 40'000'000;
@@ -92,33 +90,60 @@ std::vector<std::vector<Run>> read_rows(const JsonValue& value) {
   return {};
 }
 
-}  // namespace
-
-std::string floor_json(const FloorGrid& floor) {
+std::string rows_json(const FloorGrid& floor) {
   std::vector<std::string> rows;
   const FloorBox& box = floor.known();
   for (int y = box.low.y; y < box.end.y; ++y) rows.push_back("\"" + row_text(floor, y) + "\"");
-  return fmt::format(R"({{"cell_m": {}, "low_cell": [{}, {}], "rows": {}}})", decimals(floor.cell_m(), 4),
-                     box.low.x, box.low.y, list_json(rows));
+  return list_json(rows);
 }
 
-FloorGrid read_floor(const JsonValue& value) {
-  double cell_m = 0.05;
-  FloorCell low;
-  if (!value.is_object_of({"cell_m", "low_cell", "rows"})) return FloorGrid();
-  if (const auto cell = value.require("cell_m")) cell->read_number(cell_m, kCellMin_m, kCellMax_m);
-  if (const auto corner = value.require("low_cell"); corner && corner->is_list_of(2)) {
-    corner->element(0).read_count(low.x, -FloorGrid::kReach, FloorGrid::kReach);
-    corner->element(1).read_count(low.y, -FloorGrid::kReach, FloorGrid::kReach);
-  }
+FloorGrid floor_of(double cell_m, FloorCell low, const std::vector<std::vector<Run>>& rows) {
   FloorGrid floor(cell_m);
-  if (const auto rows = value.require("rows")) {
-    for (const std::vector<Run>& row : read_rows(*rows)) {
-      put_row(row, low, floor);
-      ++low.y;
-    }
+  for (const std::vector<Run>& row : rows) {
+    put_row(row, low, floor);
+    ++low.y;
   }
   return floor;
+}
+
+JsonPart cell_part(std::string_view key, FloorCell& cell) {
+  return {key, [&cell] { return fmt::format("[{}, {}]", cell.x, cell.y); },
+          [&cell](const JsonValue& value) {
+            if (!value.is_list_of(2)) return;
+            value.element(0).read_count(cell.x, kLowCell);
+            value.element(1).read_count(cell.y, kLowCell);
+          }};
+}
+
+/// A floor as its file has it.
+struct FloorText {
+  double cell_m = 0.05;
+  FloorCell low;
+  std::vector<std::vector<Run>> rows;  ///< as they were read
+  const FloorGrid* written = nullptr;  ///< whose rows are written
+};
+
+JsonFields floor_fields(FloorText& floor) {
+  return {needed(field::number("cell_m", floor.cell_m, kCell_m, {4})),
+          needed(cell_part("low_cell", floor.low)),
+          needed(JsonPart{"rows", [&floor] { return rows_json(*floor.written); },
+                          [&floor](const JsonValue& value) { floor.rows = read_rows(value); }})};
+}
+
+}  // namespace
+
+std::string floor_json(const FloorGrid& floor) {
+  FloorText text{floor.cell_m(), floor.known().low, {}, &floor};
+  return object_json(floor_fields(text));
+}
+
+JsonPart floor_part(std::string_view key, std::optional<FloorGrid>& floor) {
+  return {key, [&floor] { return floor ? floor_json(*floor) : std::string(); },
+          [&floor](const JsonValue& value) {
+            FloorText text;
+            read_object(value, floor_fields(text));
+            floor = floor_of(text.cell_m, text.low, text.rows);
+          }};
 }
 
 }  // namespace aisle

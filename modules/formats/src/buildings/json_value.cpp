@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "aisle/core/former_keys.hpp"
+
 namespace aisle {
 namespace {
 
-constexpr double kCoordinateLimit_m = 1e6;
 constexpr std::size_t kNameBytesMax = 200;
 constexpr std::size_t kColumnsMax = 100;
 
@@ -47,30 +48,32 @@ void JsonValue::read_name(std::string& target) const {
   target = std::move(name);
 }
 
-void JsonValue::read_count(int& target) const {
-  if (!value_.is_number_integer() || value_ < 0 || value_ > std::numeric_limits<int>::max()) {
-    return wrong("is not a whole number from 0 on");
+void JsonValue::read_count(int& target, Range range) const {
+  if (value_.is_number_integer() && value_ >= range.min && value_ <= range.max) {
+    target = value_.get<int>();
+  } else if (range.min == 0 && range.max == std::numeric_limits<int>::max()) {
+    wrong("is not a whole number from 0 on");
+  } else {
+    wrong(fmt::format("is not a whole number from {} to {}", static_cast<int>(range.min),
+                      static_cast<int>(range.max)));
   }
-  target = value_.get<int>();
 }
 
-void JsonValue::read_count(int& target, int min, int max) const {
-  if (!value_.is_number_integer() || value_ < min || value_ > max) {
-    return wrong(fmt::format("is not a whole number from {} to {}", min, max));
-  }
-  target = value_.get<int>();
+void JsonValue::read_count(std::uint64_t& target) const {
+  if (!value_.is_number_unsigned()) return wrong("is not a whole number from 0 on");
+  target = value_.get<std::uint64_t>();
 }
 
-void JsonValue::read_number(double& target, double min, double max) const {
-  const bool fits = value_.is_number() && value_.get<double>() >= min && value_.get<double>() <= max;
-  if (!fits) return wrong(fmt::format("is not a number from {:g} to {:g}", min, max));
+void JsonValue::read_number(double& target, Range range) const {
+  const bool fits =
+      value_.is_number() && value_.get<double>() >= range.min && value_.get<double>() <= range.max;
+  if (!fits) return wrong(fmt::format("is not a number from {:g} to {:g}", range.min, range.max));
   target = value_.get<double>();
 }
 
-void JsonValue::read_point(Vec2& target) const {
-  if (!is_list_of(2)) return;
-  element(0).read_number(target.x(), -kCoordinateLimit_m, kCoordinateLimit_m);
-  element(1).read_number(target.y(), -kCoordinateLimit_m, kCoordinateLimit_m);
+void JsonValue::read_numbers(std::span<double* const> targets, Range range) const {
+  if (!is_list_of(targets.size())) return;
+  for (std::size_t i = 0; i < targets.size(); ++i) element(i).read_number(*targets[i], range);
 }
 
 bool JsonValue::is_list() const {
@@ -122,21 +125,34 @@ bool JsonValue::is_object_of(const std::vector<std::string_view>& known) const {
     wrong("is not an object");
     return false;
   }
+  const auto is_known = [&](std::string_view key) {
+    return std::find(known.begin(), known.end(), key) != known.end();
+  };
   for (const auto& member : value_.items()) {
-    if (std::find(known.begin(), known.end(), member.key()) == known.end()) {
+    if (is_known(member.key())) continue;
+    const std::string present = present_key(member.key());
+    if (!is_known(present)) {
       problems_.add(0, path_to(member.key()), "unknown key");
+    } else if (value_.contains(present)) {
+      problems_.add(
+          0, path_to(member.key()),
+          fmt::format("is the former name of `{}`, which is there too: one of them is needed", present));
     }
   }
   return true;
 }
 
-std::optional<JsonValue> JsonValue::find(const char* key) const {
-  const auto member = value_.find(key);
+std::optional<JsonValue> JsonValue::find(std::string_view key) const {
+  auto member = value_.find(key);
+  if (member == value_.end()) {
+    key = former_key(key);
+    member = value_.find(key);
+  }
   if (member == value_.end()) return std::nullopt;
   return JsonValue(*member, path_to(key), problems_);
 }
 
-std::optional<JsonValue> JsonValue::require(const char* key) const {
+std::optional<JsonValue> JsonValue::require(std::string_view key) const {
   auto member = find(key);
   if (!member) problems_.add(0, path_to(key), "is missing");
   return member;

@@ -1,15 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "aisle/core/parameters.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/geometry/pose2.hpp"
 #include "problem_list.hpp"
 
 namespace aisle {
@@ -29,11 +31,11 @@ class JsonValue {
   void read(bool& target) const;
   /// A text of 1 to 200 bytes.
   void read_name(std::string& target) const;
-  void read_count(int& target) const;
-  void read_count(int& target, int min, int max) const;
-  void read_number(double& target, double min, double max) const;
-  /// [x, y] in metres.
-  void read_point(Vec2& target) const;
+  void read_count(int& target, Range range) const;
+  void read_count(std::uint64_t& target) const;
+  void read_number(double& target, Range range) const;
+  /// A list of as many numbers as there are targets.
+  void read_numbers(std::span<double* const> targets, Range range) const;
 
   bool is(std::string_view text) const { return value_ == text; }
   bool is_text() const;
@@ -46,11 +48,13 @@ class JsonValue {
   /// of values, null where the object lacks the key}.
   void for_each_object(std::size_t count_max, const std::function<void(const JsonValue&)>& read) const;
 
-  /// Whether this is an object; keys other than `known` are problems.
+  /// Whether this is an object; keys other than `known` and their former names (aisle/core/former_keys.hpp)
+  /// are problems, and so is a key under both names.
   bool is_object_of(const std::vector<std::string_view>& known) const;
-  std::optional<JsonValue> find(const char* key) const;
+  /// The value of a key, or else of the key's former name.
+  std::optional<JsonValue> find(std::string_view key) const;
   /// Like find(), but a missing key is a problem.
-  std::optional<JsonValue> require(const char* key) const;
+  std::optional<JsonValue> require(std::string_view key) const;
 
   void wrong(std::string what) const { problems_.add(0, path_, std::move(what)); }
 

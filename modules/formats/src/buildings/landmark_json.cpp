@@ -1,29 +1,25 @@
-#include "buildings/landmark_json.hpp"
+#include "buildings/building_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 #include "aisle/core/angle.hpp"
-#include "aisle/core/parameters.hpp"
-#include "buildings/json_text.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr Range kSigma_m = {1e-6, 1e3};
-constexpr Range kWeight = {1e-9, 1e9};
+constexpr double kWeightMax = 1e9;
 constexpr double kCorrelationMax = 0.9999;  // as close to 1 as the written digits can express
 constexpr double kDistanceMax_m = 1000;
 constexpr std::size_t kLandmarksMax = 1'000'000;
-/// In the order of the columns.
-constexpr std::array<std::string_view, 10> kKeys = {
-    "at_m",      "sigma_m", "correlation",   "mass",        "weight",
-    "sightings", "passes",  "seen_from_deg", "seen_from_m", "brighter"};
+constexpr Digits kSigmaDigits = {3, Digits::Kind::kSignificant};
+constexpr Digits kWeightDigits = {4, Digits::Kind::kSignificant};
+constexpr std::array<std::string_view, 2> kBrighterSides = {"right", "left"};
 
 struct Spread {
   Vec2 sigma_m = Vec2::Ones();
@@ -42,90 +38,88 @@ Mat2 covariance_of(const Spread& spread) {
   return spread.sigma_m.asDiagonal() * correlations * spread.sigma_m.asDiagonal();
 }
 
-/// Rounded to the degree; null if unknown.
-std::string heading_json(const Vec2& seen_from) {
-  if (seen_from.isZero()) return "null";
-  return std::to_string(std::lround(to_degrees(std::atan2(seen_from.y(), seen_from.x()))));
+/// Rounded to the degree; left out if unknown.
+JsonPart seen_from_part(std::string_view key, Vec2& seen_from) {
+  return {key,
+          [&seen_from] {
+            if (seen_from.isZero()) return std::string();
+            return std::to_string(std::lround(to_degrees(heading_of(seen_from))));
+          },
+          [&seen_from](const JsonValue& value) {
+            double heading_rad = 0;
+            read_field(value, field::angle("", heading_rad));
+            seen_from = unit(heading_rad);
+          }};
 }
 
-/// Rounded to the centimetre; null if unknown.
-std::string distances_json(const Landmark& landmark) {
-  if (!std::isfinite(landmark.seen_far_m)) return "null";
-  return fmt::format("[{},{}]", decimals(landmark.seen_near_m, 2), decimals(landmark.seen_far_m, 2));
+/// [nearest, farthest], rounded to the centimetre; left out if unknown.
+JsonPart distances_part(std::string_view key, Landmark& landmark) {
+  return {key,
+          [&landmark] {
+            if (!std::isfinite(landmark.seen_far_m)) return std::string();
+            return fmt::format("[{},{}]", decimals(landmark.seen_near_m, 2),
+                               decimals(landmark.seen_far_m, 2));
+          },
+          [&landmark](const JsonValue& value) {
+            if (!value.is_list_of(2)) return;
+            value.element(0).read_number(landmark.seen_near_m, {0, kDistanceMax_m});
+            value.element(1).read_number(landmark.seen_far_m, {landmark.seen_near_m, kDistanceMax_m});
+          }};
 }
 
-/// Without spaces, because a file has many rows.
-std::string landmark_row(const Landmark& landmark) {
-  const Spread spread = spread_of(landmark.covariance);
-  return fmt::format(R"([[{},{}],[{:.3g},{:.3g}],{},{:.4g},{:.4g},{},{},{},{},"{}"])",
-                     decimals(landmark.p_map.x(), kMillimetreDecimals),
-                     decimals(landmark.p_map.y(), kMillimetreDecimals), spread.sigma_m.x(),
-                     spread.sigma_m.y(), decimals(spread.correlation, 4), landmark.mass, landmark.weight,
-                     landmark.sightings, landmark.passes, heading_json(landmark.seen_from),
-                     distances_json(landmark), brighter_text(landmark.brighter_right));
-}
-
-Mat2 read_covariance(const JsonValue& value) {
-  Spread spread;
-  if (const auto sigma = value.require("sigma_m"); sigma && sigma->is_list_of(2)) {
-    sigma->element(0).read_number(spread.sigma_m.x(), kSigma_m.min, kSigma_m.max);
-    sigma->element(1).read_number(spread.sigma_m.y(), kSigma_m.min, kSigma_m.max);
-  }
-  if (const auto correlation = value.find("correlation"))
-    correlation->read_number(spread.correlation, -kCorrelationMax, kCorrelationMax);
-  return covariance_of(spread);
-}
-
-void read_distances(const JsonValue& value, Landmark& landmark) {
-  if (!value.is_list_of(2)) return;
-  value.element(0).read_number(landmark.seen_near_m, 0, kDistanceMax_m);
-  value.element(1).read_number(landmark.seen_far_m, landmark.seen_near_m, kDistanceMax_m);
+/// @param spread  of the landmark's position, instead of its covariance
+JsonFields landmark_fields(Landmark& landmark, Spread& spread) {
+  return {needed(field::point("at_m", landmark.p_map, kMapCoordinate_m)),
+          needed(field::point("sigma_m", spread.sigma_m, kSigma_m, kSigmaDigits)),
+          field::number("correlation", spread.correlation, {-kCorrelationMax, kCorrelationMax}, {4}),
+          field::number("mass", landmark.mass, {0, kWeightMax}, kWeightDigits),
+          field::number("weight", landmark.weight, {1e-9, kWeightMax}, kWeightDigits),
+          field::count("sightings", landmark.sightings),
+          field::count("passes", landmark.passes),
+          seen_from_part("seen_from_deg", landmark.seen_from),
+          distances_part("seen_from_m", landmark),
+          needed(brighter_field("brighter", landmark.brighter_right))};
 }
 
 Landmark read_landmark(const JsonValue& value) {
   Landmark landmark;
-  if (!value.is_object_of({kKeys.begin(), kKeys.end()})) return landmark;
-  if (const auto at = value.require("at_m")) at->read_point(landmark.p_map);
-  landmark.covariance = read_covariance(value);
-  if (const auto mass = value.find("mass")) mass->read_number(landmark.mass, 0, kWeight.max);
-  if (const auto weight = value.find("weight"))
-    weight->read_number(landmark.weight, kWeight.min, kWeight.max);
-  if (const auto sightings = value.find("sightings")) sightings->read_count(landmark.sightings);
-  if (const auto passes = value.find("passes")) passes->read_count(landmark.passes);
-  if (const auto seen_from = value.find("seen_from_deg")) {
-    double heading_deg = 0;
-    seen_from->read_number(heading_deg, -360, 360);
-    landmark.seen_from = unit(heading_deg * kDegree);
-  }
-  if (const auto seen_from = value.find("seen_from_m")) read_distances(*seen_from, landmark);
-  if (const auto brighter = value.require("brighter")) read_brighter(*brighter, landmark.brighter_right);
+  Spread spread;
+  if (!read_object(value, landmark_fields(landmark, spread))) return {};
+  landmark.covariance = covariance_of(spread);
   return landmark;
+}
+
+/// A table, because a file has many of them.
+std::string landmarks_json(const LandmarkMap& map) {
+  Landmark landmark;
+  Spread spread;
+  const JsonFields fields = landmark_fields(landmark, spread);
+  std::vector<std::string> rows;
+  for (const Landmark& written : map.all()) {
+    const bool is_gap = written.weight == 0;
+    if (is_gap) continue;
+    landmark = written;
+    spread = spread_of(written.covariance);
+    rows.push_back(row_json(fields));
+  }
+  return fmt::format(R"({{"columns": ["{}"], "rows": {}}})", fmt::join(keys_of(fields), R"(", ")"),
+                     list_json(rows));
 }
 
 }  // namespace
 
-const char* brighter_text(bool is_right) {
-  return is_right ? "right" : "left";
+ObjectField brighter_field(std::string_view key, bool& is_right) {
+  return {.key = key,
+          .target = WordTarget{kBrighterSides, [&is_right] { return is_right ? std::size_t{0} : 1; },
+                               [&is_right](std::size_t side) { is_right = side == 0; }}};
 }
 
-void read_brighter(const JsonValue& value, bool& is_right) {
-  if (!value.is("right") && !value.is("left")) return value.wrong(R"(is neither "right" nor "left")");
-  is_right = value.is("right");
-}
-
-std::string landmarks_json(const LandmarkMap& map) {
-  std::vector<std::string> rows;
-  for (const Landmark& landmark : map.all()) {
-    const bool is_gap = landmark.weight == 0;
-    if (!is_gap) rows.push_back(landmark_row(landmark));
-  }
-  return fmt::format(R"({{"columns": ["{}"], "rows": {}}})", fmt::join(kKeys, R"(", ")"), list_json(rows));
-}
-
-LandmarkMap read_landmarks(const JsonValue& value) {
-  LandmarkMap map;
-  value.for_each_object(kLandmarksMax, [&](const JsonValue& landmark) { map.add(read_landmark(landmark)); });
-  return map;
+JsonPart landmarks_part(std::string_view key, LandmarkMap& map) {
+  return {key, [&map] { return map.empty() ? std::string() : landmarks_json(map); },
+          [&map](const JsonValue& value) {
+            value.for_each_object(kLandmarksMax,
+                                  [&map](const JsonValue& landmark) { map.add(read_landmark(landmark)); });
+          }};
 }
 
 }  // namespace aisle

@@ -1,25 +1,38 @@
-#include "buildings/room_json.hpp"
+#include "buildings/building_parts.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
-#include <string_view>
 
 #include "aisle/vision/places/column_view.hpp"
-#include "buildings/json_text.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr int kGreyDecimals = 2, kViewDecimals = 4;
 constexpr std::size_t kTurningsMax = 1000, kViewsMax = 10'000, kEdgesMax = 100'000;
-constexpr double kPathMax_m = 100'000, kFrameMax_m = 20, kFrameMin_m = 0.2, kGreyMax = 255;
+constexpr double kPathMax_m = 100'000;
+constexpr Range kAlong_m = {0, kPathMax_m}, kFarAway_m = {-kPathMax_m, kPathMax_m};
+constexpr Range kFrame_m = {0.2, 20}, kGreyLevel = {0, 255};
+constexpr Digits kGreyDigits = {2}, kViewDigits = {4};
+constexpr const char* kFrameSizeKey = "frame_size_m";
 
-std::string turning_json(const RoomTurning& turning) {
-  return fmt::format(R"({{"number": {}, "start_m": {}, "end_m": {}}})", turning.number,
-                     decimals(turning.start_m, kMillimetreDecimals),
-                     decimals(turning.end_m, kMillimetreDecimals));
+JsonFields brightness_fields(RouteBrightness& brightness) {
+  return {needed(field::number("grey", brightness.grey, kGreyLevel, kGreyDigits)),
+          needed(field::number("deviation", brightness.deviation, kGreyLevel, kGreyDigits))};
+}
+
+JsonFields turning_fields(RoomTurning& turning) {
+  return {needed(field::count("number", turning.number, {1, kTurningNumbers})),
+          needed(field::number("start_m", turning.start_m, kAlong_m)),
+          needed(field::number("end_m", turning.end_m, kAlong_m))};
+}
+
+RoomTurning read_turning(const JsonValue& value) {
+  RoomTurning turning;
+  if (!read_object(value, turning_fields(turning))) return turning;
+  if (const auto end = value.find("end_m"); end && turning.end_m < turning.start_m)
+    end->wrong("is before start_m");
+  return turning;
 }
 
 std::string columns_json(const Image& columns) {
@@ -30,51 +43,6 @@ std::string columns_json(const Image& columns) {
     rows += '"';
   }
   return rows + "]";
-}
-
-std::string view_json(const StopView& view) {
-  std::string shares;
-  for (const double share : view.seen.brightness)
-    shares += (shares.empty() ? "[" : ", ") + decimals(share, kViewDecimals);
-  std::string text =
-      fmt::format(R"({{"left_m": {}, "at": {}])", decimals(view.left_m, kMillimetreDecimals), shares);
-  if (!view.seen.columns.bytes.empty()) text += R"(, "columns": )" + columns_json(view.seen.columns);
-  return text + "}";
-}
-
-std::string edge_json(const RouteEdge& edge) {
-  return fmt::format("[{}, {}, {}]", decimals(edge.along_m, kMillimetreDecimals),
-                     decimals(edge.p_map.x(), kMillimetreDecimals),
-                     decimals(edge.p_map.y(), kMillimetreDecimals));
-}
-
-template <class Item, class Text>
-std::string list_of(const std::vector<Item>& items, const Text& text) {
-  std::vector<std::string> texts;
-  texts.reserve(items.size());
-  for (const Item& item : items) texts.push_back(text(item));
-  return list_json(texts);
-}
-
-RouteBrightness read_brightness(const JsonValue& value) {
-  RouteBrightness brightness;
-  if (!value.is_object_of({"grey", "deviation"})) return brightness;
-  if (const auto grey = value.require("grey")) grey->read_number(brightness.grey, 0, kGreyMax);
-  if (const auto deviation = value.require("deviation"))
-    deviation->read_number(brightness.deviation, 0, kGreyMax);
-  return brightness;
-}
-
-RoomTurning read_turning(const JsonValue& value) {
-  RoomTurning turning;
-  if (!value.is_object_of({"number", "start_m", "end_m"})) return turning;
-  if (const auto number = value.require("number")) number->read_count(turning.number, 1, kTurningNumbers);
-  if (const auto start = value.require("start_m")) start->read_number(turning.start_m, 0, kPathMax_m);
-  if (const auto end = value.require("end_m")) {
-    end->read_number(turning.end_m, 0, kPathMax_m);
-    if (turning.end_m < turning.start_m) end->wrong("is before start_m");
-  }
-  return turning;
 }
 
 /// Two hexadecimal digits per column of a band.
@@ -99,76 +67,64 @@ Image read_columns(const JsonValue& value) {
   return columns;
 }
 
-StopView read_view(const JsonValue& value) {
-  StopView view;
-  if (!value.is_object_of({"left_m", "at", "columns"})) return view;
-  if (const auto columns = value.find("columns")) view.seen.columns = read_columns(*columns);
-  if (const auto left = value.require("left_m")) left->read_number(view.left_m, -kPathMax_m, kPathMax_m);
-  const auto at = value.require("at");
-  if (!at || !at->is_list_of(view.seen.brightness.size())) return view;
-  for (std::size_t i = 0; i < view.seen.brightness.size(); ++i)
-    at->element(i).read_number(view.seen.brightness[i], 0, 1);
-  return view;
+JsonPart columns_part(std::string_view key, Image& columns) {
+  return {key, [&columns] { return columns.bytes.empty() ? std::string() : columns_json(columns); },
+          [&columns](const JsonValue& value) { columns = read_columns(value); }};
+}
+
+JsonFields view_fields(StopView& view) {
+  PointTarget shares;
+  for (double& share : view.seen.brightness) shares.coordinates.push_back(&share);
+  return {needed(field::number("left_m", view.left_m, kFarAway_m)),
+          needed(ObjectField{.key = "at", .target = shares, .range = {0, 1}, .digits = kViewDigits}),
+          columns_part("columns", view.seen.columns)};
+}
+
+std::string edge_json(const RouteEdge& edge) {
+  return fmt::format("[{}, {}, {}]", decimals(edge.along_m, kMillimetreDecimals),
+                     decimals(edge.p_map.x(), kMillimetreDecimals),
+                     decimals(edge.p_map.y(), kMillimetreDecimals));
 }
 
 RouteEdge read_edge(const JsonValue& value) {
   RouteEdge edge;
   if (!value.is_list_of(3)) return edge;
-  value.element(0).read_number(edge.along_m, 0, kPathMax_m);
-  value.element(1).read_number(edge.p_map.x(), -kPathMax_m, kPathMax_m);
-  value.element(2).read_number(edge.p_map.y(), -kPathMax_m, kPathMax_m);
+  value.element(0).read_number(edge.along_m, kAlong_m);
+  value.element(1).read_number(edge.p_map.x(), kFarAway_m);
+  value.element(2).read_number(edge.p_map.y(), kFarAway_m);
   return edge;
 }
 
-void read_parking(const JsonValue& value, ParkingStrategy& parking) {
-  for (std::size_t i = 0; i < kParkingWords.size(); ++i) {
-    if (!value.is(kParkingWords[i])) continue;
-    parking = static_cast<ParkingStrategy>(i);
-    return;
-  }
-  value.wrong("is none of \"frame\", \"dead-end\", \"view\"");
+JsonPart frame_size_part(std::string_view key, RoomRoute& room) {
+  const ObjectField size = field::point(key, room.frame_size_m, kFrame_m);
+  return {
+      key,
+      [&room, size] { return room.parking == ParkingStrategy::kFrame ? field_json(size) : std::string(); },
+      [&room, size](const JsonValue& value) {
+        if (room.parking != ParkingStrategy::kFrame) return value.wrong("is for the parking \"frame\" alone");
+        read_field(value, size);
+      }};
+}
+
+JsonFields room_fields(RoomRoute& room) {
+  return {needed(object_part("brightness", room.brightness, brightness_fields)),
+          needed(field::word("parking", room.parking, kParkingWords)),
+          frame_size_part(kFrameSizeKey, room),
+          unless_empty(list_part(
+              "turnings", room.turnings, kTurningsMax,
+              [](RoomTurning& turning) { return object_json(turning_fields(turning)); }, read_turning)),
+          unless_empty(objects_part("views", room.views, kViewsMax, view_fields)),
+          unless_empty(list_part("edges", room.edges, kEdgesMax, edge_json, read_edge))};
 }
 
 }  // namespace
 
-std::string room_json(const RoomRoute& room) {
-  std::string text =
-      fmt::format(R"({{"brightness": {{"grey": {}, "deviation": {}}}, "parking": "{}")",
-                  decimals(room.brightness.grey, kGreyDecimals),
-                  decimals(room.brightness.deviation, kGreyDecimals), parking_word(room.parking));
-  if (room.parking == ParkingStrategy::kFrame)
-    text += R"(, "frame_size_m": )" + point_json(room.frame_size_m, kMillimetreDecimals);
-  if (!room.turnings.empty()) text += R"(, "turnings": )" + list_of(room.turnings, turning_json);
-  if (!room.views.empty()) text += R"(, "views": )" + list_of(room.views, view_json);
-  if (!room.edges.empty()) text += R"(, "edges": )" + list_of(room.edges, edge_json);
-  return text + "}";
-}
-
-RoomRoute read_room(const JsonValue& value) {
-  RoomRoute room;
-  if (!value.is_object_of({"brightness", "parking", "frame_size_m", "turnings", "views", "edges"}))
-    return room;
-  if (const auto brightness = value.require("brightness")) room.brightness = read_brightness(*brightness);
-  if (const auto parking = value.require("parking")) read_parking(*parking, room.parking);
-  if (room.parking == ParkingStrategy::kFrame) {
-    if (const auto size = value.require("frame_size_m"); size && size->is_list_of(2)) {
-      size->element(0).read_number(room.frame_size_m.x(), kFrameMin_m, kFrameMax_m);
-      size->element(1).read_number(room.frame_size_m.y(), kFrameMin_m, kFrameMax_m);
-    }
-  } else if (const auto size = value.find("frame_size_m")) {
-    size->wrong("is for the parking \"frame\" alone");
-  }
-  if (const auto turnings = value.find("turnings"); turnings && turnings->is_list_up_to(kTurningsMax)) {
-    for (std::size_t i = 0; i < turnings->size(); ++i)
-      room.turnings.push_back(read_turning(turnings->element(i)));
-  }
-  if (const auto views = value.find("views"); views && views->is_list_up_to(kViewsMax)) {
-    for (std::size_t i = 0; i < views->size(); ++i) room.views.push_back(read_view(views->element(i)));
-  }
-  if (const auto edges = value.find("edges"); edges && edges->is_list_up_to(kEdgesMax)) {
-    for (std::size_t i = 0; i < edges->size(); ++i) room.edges.push_back(read_edge(edges->element(i)));
-  }
-  return room;
+JsonPart room_part(std::string_view key, std::optional<RoomRoute>& room) {
+  return {key, [&room] { return room ? object_json(room_fields(*room)) : std::string(); },
+          [&room](const JsonValue& value) {
+            const bool is_object = read_object(value, room_fields(room.emplace()));
+            if (is_object && room->parking == ParkingStrategy::kFrame) value.require(kFrameSizeKey);
+          }};
 }
 
 }  // namespace aisle

@@ -6,7 +6,7 @@
 
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/ros_time.hpp"
-#include "buildings/floor_json.hpp"
+#include "buildings/building_parts.hpp"
 #include "sessions/frame_messages.hpp"
 
 namespace aisle {

@@ -16,16 +16,16 @@ struct EventTimes {
   double radius_m = 1;
 };
 
-WorldFields fields_of(EventTimes& times);
+ObjectFields fields_of(EventTimes& times);
 
-WorldFields fields_of(CameraFault& fault);
-WorldFields fields_of(SlipBurst& fault);
-WorldFields fields_of(SteeringBias& fault);
-WorldFields fields_of(BlockingBox& fault);
-WorldFields fields_of(CrossingPerson& fault);
-WorldFields fields_of(Lifted& fault);
-WorldFields fields_of(LaserOff& fault);
-WorldFields fields_of(LightChange& fault);
+ObjectFields fields_of(CameraFault& fault);
+ObjectFields fields_of(SlipBurst& fault);
+ObjectFields fields_of(SteeringBias& fault);
+ObjectFields fields_of(BlockingBox& fault);
+ObjectFields fields_of(CrossingPerson& fault);
+ObjectFields fields_of(Lifted& fault);
+ObjectFields fields_of(LaserOff& fault);
+ObjectFields fields_of(LightChange& fault);
 
 /// All kinds of fault with their keys: visit(key, fault).
 template <class Visit>

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <utility>
 
 #include "aisle/formats/whole_file.hpp"
@@ -20,14 +21,14 @@ class ScenarioReader {
   explicit ScenarioReader(const std::string& file) : nodes_(file) {}
 
   Result<Scenario> read(const YAML::Node& document) {
-    const WorldFields fields = {{.key = "name", .target = &scenario_.name, .range = {}},
-                                {.key = "world", .target = &scenario_.world, .range = {}}};
+    const ObjectFields fields = {field::text("name", scenario_.name), field::text("world", scenario_.world)};
     if (document.IsMap()) {
       nodes_.read_map(
           document, "", fields,
-          {{"format", [this](const YAML::Node& node) { expect(node, "format", "aisle.scenario"); }, true},
-           {"version", [this](const YAML::Node& node) { expect(node, "version", "1"); }, true},
-           {"events", [this](const YAML::Node& node) { read_events(node); }, true}});
+          {nodes_.constant("format", "aisle.scenario"),
+           nodes_.constant("version", "1"),
+           {"events", [this](const YAML::Node& node, const std::string& key) { read_events(node, key); },
+            true}});
     } else {
       nodes_.problem(document, "", "is not a scenario: expected keys, the first 'format: aisle.scenario'");
     }
@@ -36,17 +37,10 @@ class ScenarioReader {
   }
 
  private:
-  void expect(const YAML::Node& node, const std::string& key, std::string_view value) {
-    if (!node.IsScalar() || node.Scalar() != value) {
-      nodes_.problem(node, key, fmt::format("is not {}, the only one supported", value));
-    }
-  }
-
-  void read_events(const YAML::Node& node) {
-    if (!nodes_.is_list(node, "events") || !nodes_.is_room_left(node, "events", node.size(), kEventsMax))
-      return;
+  void read_events(const YAML::Node& node, const std::string& key) {
+    if (!nodes_.is_list(node, key) || !nodes_.is_room_left(node, key, node.size(), kEventsMax)) return;
     for (std::size_t i = 0; i < node.size() && !nodes_.is_hopeless(); ++i) {
-      read_event(node[i], fmt::format("events[{}]", i));
+      read_event(node[i], fmt::format("{}[{}]", key, i));
     }
   }
 
@@ -55,10 +49,12 @@ class ScenarioReader {
     ScenarioEvent event;
     std::size_t faults = 0;
     std::vector<WorldNodeReader::Section> sections;
+    std::vector<std::string_view> names;
     for_each_fault([&](std::string_view name, const auto& shipped) {
-      sections.push_back({name, [this, name, shipped, &key, &event, &faults](const YAML::Node& inner) {
+      names.push_back(name);
+      sections.push_back({name, [&, shipped](const YAML::Node& inner, const std::string& inner_key) {
                             auto fault = shipped;
-                            nodes_.read_map(inner, fmt::format("{}.{}", key, name), fields_of(fault));
+                            nodes_.read_map(inner, inner_key, fields_of(fault));
                             event.fault = std::move(fault);
                             ++faults;
                           }});
@@ -66,8 +62,9 @@ class ScenarioReader {
     nodes_.read_map(node, key, fields_of(times), sections);
     if (!node.IsMap()) return;
     if (faults != 1) {
+      const std::span but_last = std::span(names).first(names.size() - 1);
       nodes_.problem(node, key,
-                     "needs one fault: camera, slip, steering, box, person, lift, laser_off or light");
+                     fmt::format("needs one fault: {} or {}", fmt::join(but_last, ", "), names.back()));
     }
     event.from_s = times.from_s;
     if (times.for_s > 0) event.duration_s = times.for_s;

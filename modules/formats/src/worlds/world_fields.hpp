@@ -1,49 +1,15 @@
 #pragma once
-/// Every key of a world file, object by object. Each is listed once: the reader, the writer and the test of
-/// the documentation iterate over these lists.
+/// Every key of a world file, object by object.
 
-#include <cstdint>
-#include <functional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
-#include "aisle/core/parameters.hpp"
 #include "aisle/simulation/world.hpp"
 #include "file_limits.hpp"
+#include "object_fields.hpp"
 
 namespace aisle {
 
 inline constexpr Range kCoordinate_m = {-kCoordinateMax_m, kCoordinateMax_m};
-
-/// A point of an object, wherever its two or three coordinates are stored.
-struct PointTarget {
-  std::vector<double*> coordinates;
-};
-
-/// One of a few words.
-struct WordTarget {
-  std::span<const std::string_view> words;
-  std::function<std::size_t()> index;
-  std::function<void(std::size_t)> choose;
-};
-
-using WorldTarget =
-    std::variant<double*, int*, std::uint64_t*, PointTarget, std::vector<Vec2>*, std::string*, WordTarget>;
-
-/// One key of an object and the variable that it sets.
-struct WorldField {
-  std::string_view key;
-  WorldTarget target;
-  Range range;            ///< of each number, inclusive, in the key's unit
-  double inner_unit = 1;  ///< the variable is the key's value times this (degrees -> radians)
-  bool is_needed = false;
-};
-
-/// Valid as long as the object lives.
-using WorldFields = std::vector<WorldField>;
 
 /// Consecutive wall faces.
 struct WallLine {
@@ -52,23 +18,23 @@ struct WallLine {
   double brightness = WallFace{}.brightness;
 };
 
-WorldFields fields_of(WallLine& wall);
-WorldFields fields_of(Door& door);
-WorldFields fields_of(Poster& poster);
-WorldFields fields_of(Lamp& lamp);
-WorldFields fields_of(FloorCovering& floor);
-WorldFields fields_of(FloorPaper& paper);
-WorldFields fields_of(Furniture& piece);
-WorldFields fields_of(ParkingFrame& frame);
-WorldFields fields_of(CalibrationBoard& board);
-WorldFields fields_of(Person& person);
-WorldFields fields_of(NamedPlace& place);
-WorldFields fields_of(WorldRoute& route);
-WorldFields fields_of(TaughtTurning& turning);
-WorldFields fields_of(Pose2& pose);
+ObjectFields fields_of(WallLine& wall);
+ObjectFields fields_of(Door& door);
+ObjectFields fields_of(Poster& poster);
+ObjectFields fields_of(Lamp& lamp);
+ObjectFields fields_of(FloorCovering& floor);
+ObjectFields fields_of(FloorPaper& paper);
+ObjectFields fields_of(Furniture& piece);
+ObjectFields fields_of(ParkingFrame& frame);
+ObjectFields fields_of(CalibrationBoard& board);
+ObjectFields fields_of(Person& person);
+ObjectFields fields_of(NamedPlace& place);
+ObjectFields fields_of(WorldRoute& route);
+ObjectFields fields_of(TaughtTurning& turning);
+ObjectFields fields_of(Pose2& pose);
 
 /// The single values of a world: name, tour, ceiling, skirting, light.
-WorldFields fields_of(World& world);
+ObjectFields fields_of(World& world);
 
 inline constexpr std::size_t kObjectsMax = 50'000;
 

@@ -26,11 +26,11 @@ std::string text_of(const YAML::Node& node) {
   return node.IsScalar() ? node.Scalar() : std::string("a list or map");
 }
 
-std::string known_keys(const WorldFields& fields, const std::vector<WorldNodeReader::Section>& sections) {
+std::string known_keys(const ObjectFields& fields, const std::vector<WorldNodeReader::Section>& sections) {
   std::vector<std::string_view> keys;
   keys.reserve(fields.size() + sections.size());
   for (const WorldNodeReader::Section& section : sections) keys.push_back(section.key);
-  for (const WorldField& field : fields) keys.push_back(field.key);
+  for (const ObjectField& field : fields) keys.push_back(field.key);
   return fmt::format("{}", fmt::join(keys, ", "));
 }
 
@@ -41,7 +41,15 @@ auto find_key(const Entries& entries, std::string_view key) {
 
 }  // namespace
 
-void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, const WorldFields& fields,
+WorldNodeReader::Section WorldNodeReader::constant(std::string_view key, std::string_view value) {
+  const auto read = [this, value](const YAML::Node& node, const std::string& path) {
+    if (!node.IsScalar() || node.Scalar() != value)
+      problem(node, path, fmt::format("is not {}, the only one supported", value));
+  };
+  return {key, read, true};
+}
+
+void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, const ObjectFields& fields,
                                const std::vector<Section>& sections) {
   if (!map.IsMap()) {
     return problem(map, key, fmt::format("has no keys (known: {})", known_keys(fields, sections)));
@@ -59,7 +67,7 @@ void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, co
     if (const auto field = find_key(fields, name); field != fields.end()) {
       read_field(entry.second, inner, *field);
     } else if (const auto section = find_key(sections, name); section != sections.end()) {
-      section->read(entry.second);
+      section->read(entry.second, inner);
     } else {
       problem(entry.first, inner, fmt::format("unknown key (known: {})", known_keys(fields, sections)));
     }
@@ -72,13 +80,15 @@ void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, co
   std::for_each(sections.begin(), sections.end(), check_needed);
 }
 
-void WorldNodeReader::read_field(const YAML::Node& node, const std::string& key, const WorldField& field) {
+void WorldNodeReader::read_field(const YAML::Node& node, const std::string& key, const ObjectField& field) {
   if (const auto* real = std::get_if<double*>(&field.target)) {
     if (const auto value = number(node, key, field.range)) **real = *value * field.inner_unit;
   } else if (const auto* whole = std::get_if<std::uint64_t*>(&field.target)) {
     read_whole_number(node, key, **whole);
   } else if (const auto* count = std::get_if<int*>(&field.target)) {
     read_count(node, key, field.range, **count);
+  } else if (const auto* flag = std::get_if<bool*>(&field.target)) {
+    read_flag(node, key, **flag);
   } else if (const auto* point = std::get_if<PointTarget>(&field.target)) {
     read_point(node, key, field.range, *point);
   } else if (const auto* points = std::get_if<std::vector<Vec2>*>(&field.target)) {
@@ -118,7 +128,7 @@ void WorldNodeReader::read_points(const YAML::Node& node, const std::string& key
   }
 }
 
-void WorldNodeReader::read_text(const YAML::Node& node, const std::string& key, const WorldField& field,
+void WorldNodeReader::read_text(const YAML::Node& node, const std::string& key, const ObjectField& field,
                                 std::string& target) {
   if (!node.IsScalar()) return problem(node, key, "is not a text");
   if (node.Scalar().size() > kTextMax) {
@@ -150,6 +160,12 @@ void WorldNodeReader::read_count(const YAML::Node& node, const std::string& key,
   if (!value) return;
   if (*value != std::floor(*value)) return problem(node, key, "is not a whole number");
   target = static_cast<int>(*value);
+}
+
+void WorldNodeReader::read_flag(const YAML::Node& node, const std::string& key, bool& target) {
+  const std::string text = text_of(node);
+  if (text != "true" && text != "false") return problem(node, key, "is neither true nor false");
+  target = text == "true";
 }
 
 std::optional<double> WorldNodeReader::number(const YAML::Node& node, const std::string& key, Range range) {

@@ -17,18 +17,21 @@ namespace aisle {
 /// Reads the nodes of a world file into fields; collects all problems instead of stopping at the first.
 class WorldNodeReader {
  public:
-  /// Reads the value of a key that is not a plain field.
+  /// Reads the value of a key that is not a plain field; takes the value's key path too.
   struct Section {
     std::string_view key;
-    std::function<void(const YAML::Node&)> read;
+    std::function<void(const YAML::Node&, const std::string&)> read;
     bool is_needed = false;
   };
 
   explicit WorldNodeReader(const std::string& file) : problems_(file) {}
 
+  /// A needed key that has one possible value.
+  Section constant(std::string_view key, std::string_view value);
+
   /// Reads a map: duplicate keys, unknown keys and missing needed keys are problems. `key` is the map's key
   /// path; empty: the map is the whole file.
-  void read_map(const YAML::Node& map, const std::string& key, const WorldFields& fields,
+  void read_map(const YAML::Node& map, const std::string& key, const ObjectFields& fields,
                 const std::vector<Section>& sections = {});
   /// Reads the points that are readable.
   void read_points(const YAML::Node& node, const std::string& key, Range range, std::vector<Vec2>& target);
@@ -47,14 +50,15 @@ class WorldNodeReader {
   Problems take_problems() { return problems_.take(); }
 
  private:
-  void read_field(const YAML::Node& node, const std::string& key, const WorldField& field);
+  void read_field(const YAML::Node& node, const std::string& key, const ObjectField& field);
   /// @return whether all coordinates are readable; if not, the target is unchanged
   bool read_point(const YAML::Node& node, const std::string& key, Range range, const PointTarget& target);
-  void read_text(const YAML::Node& node, const std::string& key, const WorldField& field,
+  void read_text(const YAML::Node& node, const std::string& key, const ObjectField& field,
                  std::string& target);
   void read_word(const YAML::Node& node, const std::string& key, const WordTarget& target);
   void read_whole_number(const YAML::Node& node, const std::string& key, std::uint64_t& target);
   void read_count(const YAML::Node& node, const std::string& key, Range range, int& target);
+  void read_flag(const YAML::Node& node, const std::string& key, bool& target);
   std::optional<double> number(const YAML::Node& node, const std::string& key, Range range);
   long line_of(std::string key) const;
 

@@ -22,8 +22,7 @@ class WorldReader {
  private:
   void read_document(const YAML::Node& document);
   std::vector<WorldNodeReader::Section> sections();
-  void expect(const YAML::Node& node, const std::string& key, std::string_view value);
-  void read_walls(const YAML::Node& node);
+  void read_walls(const YAML::Node& node, const std::string& key);
   void read_wall(const YAML::Node& node, const std::string& key);
   void add_faces(const YAML::Node& node, const std::string& key, const WallLine& wall);
   template <class Object>
@@ -59,33 +58,32 @@ void WorldReader::read_document(const YAML::Node& document) {
 }
 
 std::vector<WorldNodeReader::Section> WorldReader::sections() {
+  using Node = YAML::Node;
+  using Key = std::string;
   std::vector<WorldNodeReader::Section> sections = {
-      {"format", [this](const YAML::Node& node) { expect(node, "format", "aisle.world"); }, true},
-      {"version", [this](const YAML::Node& node) { expect(node, "version", "1"); }, true},
-      {"walls", [this](const YAML::Node& node) { read_walls(node); }, true},
+      nodes_.constant("format", "aisle.world"),
+      nodes_.constant("version", "1"),
+      {"walls", [this](const Node& node, const Key& key) { read_walls(node, key); }, true},
       // the former name of furniture
-      {"boxes", [this](const YAML::Node& node) { read_list(node, "boxes", world_.furniture, kObjectsMax); }},
-      {"floor", [this](const YAML::Node& node) { nodes_.read_map(node, "floor", fields_of(world_.floor)); }},
-      {"start", [this](const YAML::Node& node) {
-         nodes_.read_map(node, "start", fields_of(world_.start.emplace()));
+      {"boxes",
+       [this](const Node& node, const Key& key) { read_list(node, key, world_.furniture, kObjectsMax); }},
+      {"floor",
+       [this](const Node& node, const Key& key) { nodes_.read_map(node, key, fields_of(world_.floor)); }},
+      {"start", [this](const Node& node, const Key& key) {
+         nodes_.read_map(node, key, fields_of(world_.start.emplace()));
        }}};
-  for_each_list(world_, [&](const char* key, auto& objects, std::size_t most) {
-    sections.push_back(
-        {key, [this, key, &objects, most](const YAML::Node& node) { read_list(node, key, objects, most); }});
+  for_each_list(world_, [&](const char* name, auto& objects, std::size_t most) {
+    sections.push_back({name, [this, &objects, most](const Node& node, const Key& key) {
+                          read_list(node, key, objects, most);
+                        }});
   });
   return sections;
 }
 
-void WorldReader::expect(const YAML::Node& node, const std::string& key, std::string_view value) {
-  if (!node.IsScalar() || node.Scalar() != value) {
-    nodes_.problem(node, key, fmt::format("is not {}, the only one supported", value));
-  }
-}
-
-void WorldReader::read_walls(const YAML::Node& node) {
-  if (!nodes_.is_list(node, "walls")) return;
+void WorldReader::read_walls(const YAML::Node& node, const std::string& key) {
+  if (!nodes_.is_list(node, key)) return;
   for (std::size_t i = 0; i < node.size() && !nodes_.is_hopeless(); ++i) {
-    read_wall(node[i], fmt::format("walls[{}]", i));
+    read_wall(node[i], fmt::format("{}[{}]", key, i));
   }
 }
 

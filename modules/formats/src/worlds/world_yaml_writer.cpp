@@ -34,10 +34,11 @@ std::string polyline_text(const std::vector<Vec2>& points, std::string_view inde
   return text + "]";
 }
 
-std::string value_text(const WorldField& field, std::string_view indent) {
+std::string value_text(const ObjectField& field, std::string_view indent) {
   if (const auto* real = std::get_if<double*>(&field.target)) return rounded(**real / field.inner_unit);
   if (const auto* count = std::get_if<int*>(&field.target)) return fmt::format("{}", **count);
   if (const auto* whole = std::get_if<std::uint64_t*>(&field.target)) return fmt::format("{}", **whole);
+  if (const auto* flag = std::get_if<bool*>(&field.target)) return **flag ? "true" : "false";
   if (const auto* point = std::get_if<PointTarget>(&field.target)) {
     std::vector<double> values;
     for (const double* value : point->coordinates) values.push_back(*value);
@@ -55,7 +56,7 @@ std::string value_text(const WorldField& field, std::string_view indent) {
 template <class Object>
 std::vector<std::string> entries(Object object, std::string_view indent) {
   Object plain;
-  const WorldFields fields = fields_of(object), plain_fields = fields_of(plain);
+  const ObjectFields fields = fields_of(object), plain_fields = fields_of(plain);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string value = value_text(fields[i], indent);

@@ -25,7 +25,7 @@ std::string chapter(const std::string& heading) {
 }
 
 /// The start of the key's row in its table: key, default, range.
-std::string row_of(const WorldField& field) {
+std::string row_of(const ObjectField& field) {
   std::string standard, range = fmt::format("{:g} .. {:g}", field.range.min, field.range.max);
   if (const auto* real = std::get_if<double*>(&field.target)) {
     standard = fmt::format("{:g}", **real / field.inner_unit);
@@ -49,7 +49,7 @@ template <class Object>
 void expect_described(const std::string& heading) {
   const std::string text = chapter(heading);
   Object object;
-  for (const WorldField& field : fields_of(object)) EXPECT_THAT(text, HasSubstr(row_of(field))) << heading;
+  for (const ObjectField& field : fields_of(object)) EXPECT_THAT(text, HasSubstr(row_of(field))) << heading;
 }
 
 TEST(WorldDocument, DescribesEveryKeyWithItsDefaultAndRange) {

@@ -18,7 +18,7 @@ class FieldDrawer {
 
   template <class Object>
   void draw(Object& object) {
-    for (const WorldField& field : fields_of(object)) {
+    for (const ObjectField& field : fields_of(object)) {
       std::visit([&](const auto& target) { set(target, field); }, field.target);
     }
   }
@@ -33,22 +33,27 @@ class FieldDrawer {
   }
 
  private:
-  void set(double* target, const WorldField& field) { *target = thousandths(field.range) * field.inner_unit; }
-  void set(int* target, const WorldField& field) {
+  void set(double* target, const ObjectField& field) {
+    *target = thousandths(field.range) * field.inner_unit;
+  }
+  void set(int* target, const ObjectField& field) {
     *target = static_cast<int>(std::floor(thousandths(field.range)));
   }
-  void set(std::uint64_t* target, const WorldField&) { *target = random_.bits(); }
-  void set(const PointTarget& target, const WorldField& field) {
+  void set(bool* target, const ObjectField&) { *target = random_.index(2) == 1; }
+  void set(std::uint64_t* target, const ObjectField&) { *target = random_.bits(); }
+  void set(const PointTarget& target, const ObjectField& field) {
     for (double* coordinate : target.coordinates) *coordinate = thousandths(field.range);
   }
-  void set(std::vector<Vec2>* target, const WorldField& field) {
+  void set(std::vector<Vec2>* target, const ObjectField& field) {
     target->resize(2 + random_.index(9));
     for (Vec2& p : *target) p = point(field.range);
   }
-  void set(std::string* target, const WorldField&) {
+  void set(std::string* target, const ObjectField&) {
     *target = "a \"name\": with {signs} # and \\ " + std::to_string(random_.bits());
   }
-  void set(const WordTarget& target, const WorldField&) { target.choose(random_.index(target.words.size())); }
+  void set(const WordTarget& target, const ObjectField&) {
+    target.choose(random_.index(target.words.size()));
+  }
 
   Random& random_;
 };
@@ -121,9 +126,9 @@ bool same_value(Value* a, Value* b) {
 
 template <class Object>
 bool same_object(Object a, Object b) {
-  const WorldFields fields_a = fields_of(a), fields_b = fields_of(b);
+  const ObjectFields fields_a = fields_of(a), fields_b = fields_of(b);
   return std::equal(fields_a.begin(), fields_a.end(), fields_b.begin(),
-                    [](const WorldField& f, const WorldField& g) {
+                    [](const ObjectField& f, const ObjectField& g) {
                       return std::visit(
                           [&](const auto& target) {
                             return same_value(target, std::get<std::decay_t<decltype(target)>>(g.target));

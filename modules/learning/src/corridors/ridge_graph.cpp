@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "aisle/geometry/polyline.hpp"
 #include "corridors/skeleton.hpp"
 
 namespace aisle {
@@ -102,9 +103,7 @@ class LineTracer {
 }  // namespace
 
 double RidgeGraph::Edge::length_m() const {
-  double sum_m = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum_m += (points[i] - points[i - 1]).norm();
-  return sum_m;
+  return polyline_length_m(points);
 }
 
 std::size_t RidgeGraph::degree(std::size_t node) const {

@@ -16,10 +16,7 @@ constexpr double kLampStep_m = 0.25;  ///< between places along the tour that ma
 
 bool is_near_tour(const World& world, const Vec2& p) {
   return std::any_of(world.tour.begin(), world.tour.end() - 1, [&](const Vec2& start) {
-    const Vec2 step = *(&start + 1) - start;
-    const double share =
-        step.squaredNorm() > 0 ? std::clamp((p - start).dot(step) / step.squaredNorm(), 0.0, 1.0) : 0;
-    return (start + share * step - p).norm() < kSeenFromTour_m;
+    return Segment2{start, *(&start + 1)}.distance(p) < kSeenFromTour_m;
   });
 }
 
@@ -106,7 +103,7 @@ void mount_doors(World& world, Random& random) {
     if (!occupied.is_free(spot.centre, width_m / 2) || !is_near_tour(world, spot.centre)) return;
     occupied.add(spot.centre, width_m / 2);
     world.doors.push_back({.hinge = spot.centre - width_m / 2 * spot.along,
-                           .closed_heading_rad = std::atan2(spot.along.y(), spot.along.x()),
+                           .closed_heading_rad = heading_of(spot.along),
                            .width_m = width_m,
                            .brightness = brightness,
                            .frame_brightness = frame_brightness});
@@ -146,7 +143,7 @@ void hang_posters(World& world, Random& random) {
     const Vec2 facing = left_normal(spot.along);
     world.posters.push_back({.kind = is_board ? Poster::Kind::kNoticeBoard : Poster::Kind::kPoster,
                              .centre = spot.centre,
-                             .facing_rad = std::atan2(facing.y(), facing.x()),
+                             .facing_rad = heading_of(facing),
                              .width_m = width_m,
                              .height_m = is_board ? 0.9 : std::round(width_m * 141) / 100,
                              .bottom_m = 1.1});

@@ -17,8 +17,7 @@ constexpr int kEarlierSteps = 8;
 constexpr double kBackOnRoute_m = 1.2;  // beyond the corner, after turning in early
 
 double turn_at(const Vec2& before, const Vec2& corner, const Vec2& after) {
-  const Vec2 in = corner - before, out = after - corner;
-  return wrap_angle(std::atan2(out.y(), out.x()) - std::atan2(in.y(), in.x()));
+  return turn_between(corner - before, after - corner);
 }
 
 /// Poses on the arc that begins `tangent_m + earlier_m` before the corner.
@@ -26,7 +25,7 @@ std::vector<Pose2> arc_round(const Vec2& before, const Vec2& corner, double turn
                              double earlier_m) {
   const Vec2 ahead = (corner - before).normalized();
   const Vec2 begin = corner - (tangent_m + earlier_m) * ahead;
-  const Pose2 T_world_begin{begin.x(), begin.y(), std::atan2(ahead.y(), ahead.x())};
+  const Pose2 T_world_begin{begin.x(), begin.y(), heading_of(ahead)};
   const double arc_m = tangent_m / std::tan(std::abs(turn_rad) / 2) * std::abs(turn_rad);
   const int steps = static_cast<int>(std::ceil(std::abs(turn_rad) / kArcStep_rad));
   std::vector<Pose2> poses;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/geometry/polyline.hpp"
 #include "aisle/maps/view_pattern.hpp"
 #include "aisle/simulation/obstacles.hpp"
 #include "operators/operator_path.hpp"
@@ -58,12 +59,6 @@ double along_path_m(const std::vector<Vec2>& path, const Vec2& p, double from_m,
   return best_m;
 }
 
-double length_of_path_m(const std::vector<Vec2>& path) {
-  double sum_m = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) sum_m += (path[i] - path[i - 1]).norm();
-  return sum_m;
-}
-
 /// Distance along a polyline to the first point after `from_m` where it turns back, or to its end.
 double next_turning_back_m(const std::vector<Vec2>& path, double from_m) {
   constexpr double kTurnsBack_rad = 120 * kDegree;
@@ -72,8 +67,7 @@ double next_turning_back_m(const std::vector<Vec2>& path, double from_m) {
     const Vec2 step = path[i] - path[i - 1];
     along_m += step.norm();
     const bool turns_back =
-        i + 1 == path.size() ||
-        std::abs(wrap_angle(heading_of(path[i + 1] - path[i]) - heading_of(step))) > kTurnsBack_rad;
+        i + 1 == path.size() || std::abs(turn_between(step, path[i + 1] - path[i])) > kTurnsBack_rad;
     if (turns_back && along_m > from_m) return along_m;
   }
   return along_m;
@@ -100,7 +94,7 @@ RouteGuide::RouteGuide(const World& world, const WorldRoute& route, const Vehicl
       driver_(with_tour(world, route, about_place_), vehicle, params, seed) {
   for (const TaughtTurning& turning : world.turnings) {
     if (turning.route != route.name) continue;
-    const double at_m = along_path_m(route.path, turning.at, 0, length_of_path_m(route.path));
+    const double at_m = along_path_m(route.path, turning.at, 0, polyline_length_m(route.path));
     const std::string number = std::to_string(turning.number);
     marks_.push_back({at_m - turning.before_m, {Mark::Kind::kTurningBegins, number}});
     marks_.push_back({at_m + turning.after_m, {Mark::Kind::kTurningEnds, number}});

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/geometry/polyline.hpp"
 #include "operators/operator_path.hpp"
 
 namespace aisle {
@@ -34,16 +35,6 @@ constexpr int kTriedSteps = 10;
 constexpr double kTurnsOnTheSpot_rad = 40 * kDegree;
 constexpr double kTurnGain_1_s = 1.5;
 
-double turn_between(const Vec2& a, const Vec2& b) {
-  return std::abs(wrap_angle(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x())));
-}
-
-double length_of(const std::vector<Vec2>& points) {
-  double sum_m = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum_m += (points[i] - points[i - 1]).norm();
-  return sum_m;
-}
-
 /// The pose at a length along a polyline; before and after it, on its straight continuation.
 Pose2 pose_along(const std::vector<Vec2>& points, double along_m) {
   for (std::size_t i = 1;; ++i) {
@@ -51,7 +42,7 @@ Pose2 pose_along(const std::vector<Vec2>& points, double along_m) {
     const double step_m = step.norm();
     if (along_m <= step_m || i + 1 == points.size()) {
       const Vec2 p = points[i - 1] + along_m / step_m * step;
-      return {p.x(), p.y(), std::atan2(step.y(), step.x())};
+      return {p.x(), p.y(), heading_of(step)};
     }
     along_m -= step_m;
   }
@@ -92,7 +83,7 @@ void ScriptedOperator::add_legs(const World& world) {
   legs_.push_back({.points = {route[0], route[1]}});
   for (std::size_t i = 2; i < route.size(); ++i) {
     const Vec2 corner = route[i - 1];
-    const double turn_rad = turn_between(corner - route[i - 2], route[i] - corner);
+    const double turn_rad = std::abs(turn_between(corner - route[i - 2], route[i] - corner));
     const bool was_in_reverse = legs_.back().in_reverse;
     if (turn_rad > kTurnsBack_rad) {
       legs_.push_back({.points = {corner}, .in_reverse = !vehicle_.is_differential && !was_in_reverse});
@@ -106,7 +97,7 @@ void ScriptedOperator::add_legs(const World& world) {
   }
   for (Leg& leg : legs_) {
     leg.points = path.drivable(leg.points, leg.in_reverse);
-    leg.length_m = length_of(leg.points);
+    leg.length_m = polyline_length_m(leg.points);
   }
 }
 
@@ -120,7 +111,7 @@ std::optional<Vec2> ScriptedOperator::place_to_back_to(const Leg& leg, const Vec
   const double beyond_m = 2 * turning_radius_m(vehicle_);
   const Vec2 place = corner - beyond_m * (next - corner).normalized();
   const std::vector<Vec2> path = to_drive.drivable({leg.points.end()[-2], corner, place}, true);
-  const double path_m = length_of(path);
+  const double path_m = polyline_length_m(path);
   for (int step = 0; step * kStep_m < path_m; ++step) {
     Pose2 T_world_vehicle = pose_along(path, step * kStep_m);
     T_world_vehicle.theta = wrap_angle(T_world_vehicle.theta + kPi);
@@ -187,7 +178,7 @@ Command ScriptedOperator::towards(const Vec2& p_vehicle_target, double speed_mps
     return {.speed_mps = speed_mps,
             .steering_rad = std::atan(vehicle_.front_steered.wheelbase_m * curvature_1_m)};
   }
-  const double off_rad = std::atan2(p_vehicle_target.y(), p_vehicle_target.x());
+  const double off_rad = heading_of(p_vehicle_target);
   if (std::abs(off_rad) > kTurnsOnTheSpot_rad) return {.turn_rate_rad_s = kTurnGain_1_s * off_rad};
   return {.speed_mps = speed_mps, .turn_rate_rad_s = curvature_1_m * speed_mps};
 }

@@ -25,7 +25,7 @@ class Wedge {
     const double distance = reach.norm();
     if (distance <= tolerance_) return;
     const double half_rad = std::asin(tolerance_ / distance);
-    const double heading = std::atan2(reach.y(), reach.x());
+    const double heading = heading_of(reach);
     if (!has_middle_) {
       middle_ = heading;
       has_middle_ = true;
@@ -39,7 +39,7 @@ class Wedge {
 
   bool contains(const Vec2& reach) const {
     if (!has_middle_) return true;
-    const double turn = std::remainder(std::atan2(reach.y(), reach.x()) - middle_, 2 * kPi);
+    const double turn = std::remainder(heading_of(reach) - middle_, 2 * kPi);
     return turn >= min_ - 1e-9 && turn <= max_ + 1e-9;
   }
 

@@ -66,7 +66,7 @@ std::vector<Segment2> outside_doorways(const Segment2& wall_line, const std::vec
 /// A board on both sides of a wall; a little longer than the wall, so that boards meet in corners.
 Prism skirting_board(const Segment2& wall_line, double height_m) {
   const Vec2 along = wall_line.end - wall_line.start, middle = (wall_line.start + wall_line.end) / 2;
-  return box({middle.x(), middle.y(), std::atan2(along.y(), along.x())},
+  return box({middle.x(), middle.y(), heading_of(along)},
              {along.norm() + 2 * kSkirtingDepth_m, 2 * kSkirtingDepth_m}, 0, height_m);
 }
 

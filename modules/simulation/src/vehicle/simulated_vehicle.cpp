@@ -31,7 +31,7 @@ std::optional<Pose2> start_pose(const World& world) {
                                  [&](const Vec2& p) { return p != world.tour.front(); });
   if (next == world.tour.end()) return std::nullopt;
   const Vec2 first = world.tour.front(), along = *next - first;
-  return Pose2{first.x(), first.y(), std::atan2(along.y(), along.x())};
+  return Pose2{first.x(), first.y(), heading_of(along)};
 }
 
 bool fits(const World& world, const Footprint& footprint, const Pose2& T_world_vehicle) {

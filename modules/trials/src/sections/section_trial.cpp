@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "aisle/commands/learned_files.hpp"
 #include "aisle/commands/method.hpp"
 #include "aisle/core/rounded.hpp"
+#include "aisle/core/edit_distance.hpp"
 #include "aisle/formats/buildings/section_text.hpp"
 #include "aisle/geometry/polyline.hpp"
 #include "aisle/missions/statistics.hpp"
@@ -82,21 +83,6 @@ std::string letters_of(const SectionList& sections) {
     if (!is_ahead(i) || !is_ahead(i + 1)) letters += section_text(sections[i]).front();
   }
   return letters;
-}
-
-/// Edit distance of two texts (Levenshtein).
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] == b[j] ? 0U : 1U);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint64_t seed) {

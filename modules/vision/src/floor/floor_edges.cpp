@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/median.hpp"
 #include "floor/floor_boundary.hpp"
 #include "floor/floor_lines.hpp"
 #include "floor/level_view.hpp"
@@ -232,9 +233,7 @@ class FloorEdgeDetector::Work {
         beside[count++] = *there;
     }
     if (count < kBesideMin) return std::nullopt;
-    const auto middle = beside.begin() + count / 2;
-    std::nth_element(beside.begin(), middle, beside.begin() + count);
-    return *middle;
+    return median_reordering(std::span(beside).first(count));
   }
 
   /// @param look  takes a column, the edge's row, and the brightness of the floor before it

@@ -28,11 +28,6 @@ std::optional<Vec2> end_direction(std::span<const Vec2> floor_edge, double least
   return along;
 }
 
-/// Angle from one direction to the other, left positive.
-double turn_between(const Vec2& from, const Vec2& to) {
-  return wrap_angle(std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x()));
-}
-
 }  // namespace
 
 void RouteCornerParams::describe(FieldList& fields) {

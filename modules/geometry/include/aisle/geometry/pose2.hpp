@@ -8,6 +8,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "aisle/core/angle.hpp"
+
 namespace aisle {
 
 using Vec2 = Eigen::Vector2d;
@@ -28,6 +30,11 @@ Vec2 unit(double angle_rad);
 /// The direction of `v` [rad]: what `unit` undoes.
 inline double heading_of(const Vec2& v) {
   return std::atan2(v.y(), v.x());
+}
+
+/// The turn from one direction to another, left positive, in [-pi, pi).
+inline double turn_between(const Vec2& from, const Vec2& to) {
+  return wrap_angle(heading_of(to) - heading_of(from));
 }
 
 /// The area of the parallelogram from a to b; positive: b points to the left of a.
