@@ -77,8 +77,9 @@ TEST_P(RealPlans, AreTracedWithoutLosingFloorAndCanBeDriven) {
   const fs::path folder = real_data() / GetParam().path;
   AISLE_NEEDS(folder);
   for (const fs::path& file : files_in(folder)) {
-    auto plan = read_plan_image(file, GetParam().cell_m);
-    ASSERT_TRUE(plan.ok()) << file;
+    auto read = read_plan_image(file, GetParam().cell_m);
+    ASSERT_TRUE(read.ok()) << file;
+    FloorPlan* plan = &read->plan;
     clean_plan(*plan, 0.1);
     SilentProgress silent;
     World world{.name = file.stem().string()};

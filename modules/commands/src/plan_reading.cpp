@@ -39,11 +39,13 @@ bool begins_with_wall_segment(std::string_view bytes) {
   return false;
 }
 
-Result<World> world_of_floor(Result<FloorPlan> plan, const ConvertOptions& options, Console& console) {
-  if (!plan) return plan.problems();
-  clean_plan(*plan, options.speck_m);
+Result<World> world_of_floor(Result<PlanReading> read, const ConvertOptions& options, Console& console) {
+  if (!read) return read.problems();
+  for (const Problem& warning : read->warnings) console.warn(to_string(warning));
+  FloorPlan& plan = read->plan;
+  clean_plan(plan, options.speck_m);
   World world;
-  for (const Segment2& wall : trace_plan(*plan, options.tracing, console.progress)) {
+  for (const Segment2& wall : trace_plan(plan, options.tracing, console.progress)) {
     world.walls.push_back({.floor_edge = wall});
   }
   if (world.walls.empty()) return Problem{{options.plan.string()}, "shows no free floor"};
