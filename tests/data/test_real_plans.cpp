@@ -80,7 +80,7 @@ TEST_P(RealPlans, AreTracedWithoutLosingFloorAndCanBeDriven) {
     auto read = read_plan_image(file, GetParam().cell_m);
     ASSERT_TRUE(read.ok()) << file;
     FloorPlan* plan = &read->plan;
-    clean_plan(*plan, 0.1);
+    clean_plan(*plan, {.speck_m = 0.1});
     SilentProgress silent;
     World world{.name = file.stem().string()};
     for (const Segment2& wall : trace_plan(*plan, {}, silent)) world.walls.push_back({.floor_edge = wall});

@@ -249,6 +249,7 @@ Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
   auto setting =
       read_setting(options.world, exploring_vehicle(options), options.scenario, options.plan_pixel_m);
   if (!setting) return setting.problems();
+  for (const std::string& warning : setting->warnings) console.warn(warning);
   return explore_in(options, std::move(*setting), console);
 }
 

@@ -54,6 +54,7 @@ Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const st
                          Console& console) {
   const auto plan = read_guide_plan(options, goal);
   if (!plan) return plan.problems();
+  for (const std::string& warning : plan->setting.warnings) console.warn(warning);
   auto session = open_session(options.out, options.force, plan->setting.vehicle.description, plan->origin,
                               console.watcher);
   if (!session) return session.problems();
