@@ -107,8 +107,8 @@ void CalibrationReader::read_document(const YAML::Node& document) {
 std::vector<std::string> CalibrationReader::kalibr_cameras(const YAML::Node& document) {
   std::vector<std::string> cameras;
   for (const auto& entry : document) {
-    const bool is_camera = entry.second.IsMap() && entry.second["intrinsics"];
-    if (is_camera && entry.first.IsScalar()) cameras.push_back(entry.first.Scalar());
+    if (entry.first.IsScalar() && entry.second.IsMap() && entry.second["intrinsics"])
+      cameras.push_back(entry.first.Scalar());
   }
   return cameras;
 }
@@ -121,11 +121,8 @@ void CalibrationReader::read_camera(const YAML::Node& document) {
   } else {
     problem(document, "camera_matrix", "is missing");
   }
-  if (const auto entry = first_of(document, kDistortionNames)) {
-    read_distortion(*entry, model);
-  } else {
-    calibration_.intrinsics.model = model.value_or(LensModel::kPlumbBob);
-  }
+  calibration_.intrinsics.model = model.value_or(LensModel::kPlumbBob);
+  if (const auto entry = first_of(document, kDistortionNames)) read_distortion(*entry, model);
   if (const auto entry = first_of(document, {"camera_name"}); entry && entry->node.IsScalar())
     set_name(*entry, entry->node.Scalar());
   if (const auto entry = first_of(document, kRmsNames)) calibration_.rms_px = number(*entry, {0, 1e6});
@@ -154,14 +151,13 @@ std::optional<LensModel> CalibrationReader::read_model(const YAML::Node& documen
     if (!entry) continue;
     const std::string name = entry->node.IsScalar() ? entry->node.Scalar() : "no single value";
     if (entry->key == "camera_model" && name == "pinhole") continue;
-    const auto named = lens_model_named(name);
-    if (named) {
+    if (const auto named = lens_model_named(name)) {
       state(*entry, *named);
-    } else {
-      problem(entry->node, entry->key,
-              fmt::format("'{}' is none of plumb_bob (radtan), rational_polynomial, equidistant (fisheye)",
-                          printable(name)));
+      continue;
     }
+    problem(entry->node, entry->key,
+            fmt::format("'{}' is none of plumb_bob (radtan), rational_polynomial, equidistant (fisheye)",
+                        printable(name)));
   }
   if (const auto fisheye = first_of(document, {"fisheye_model"})) {
     if (number(*fisheye, {0, 1}).value_or(0) != 0) state(*fisheye, LensModel::kEquidistant);

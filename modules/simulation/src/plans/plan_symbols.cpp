@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kWallCellsMax = 12;  ///< thicker walls count as so thick
 constexpr int kDoorCellsMin = 8, kDoorCellsMax = 200;
-constexpr int kMarkShareOfPlan = 10;   ///< a mark is smaller than this part of the plan
+constexpr int kMarkShareOfPlan = 25;  ///< a mark is at most this part of the plan, or so many cells:
+constexpr int kMarkCellsMax = 12;
 constexpr double kStroke = 1.5;        ///< cells off the line that is drawn
 constexpr double kExplainedMin = 0.9;  ///< of a door's cells
 constexpr std::size_t kSectors = 9;    ///< of the arc, and sections of the leaf
@@ -119,6 +120,7 @@ PlanSymbols open_drawn_doors(FloorPlan& plan) {
   const cv::Mat walls = opened(solid, wall / 2 + 1);
   cv::Mat near_walls;
   cv::dilate(walls, near_walls, cv::Mat::ones(3, 3, CV_8U));
+  const int mark_max = std::max(kMarkCellsMax, std::max(plan.width, plan.height) / kMarkShareOfPlan);
   PlanSymbols symbols;
   for (const Component& stroke : components_of(solid & ~walls)) {
     const int side = std::max(stroke.box.width, stroke.box.height);
@@ -128,7 +130,7 @@ PlanSymbols open_drawn_doors(FloorPlan& plan) {
     if (is_door(stroke, wall)) {
       symbols.doors.push_back(stroke.box);
       for (const cv::Point& cell : stroke.cells) plan.solid[plan.index(cell.x, cell.y)] = 0;
-    } else if (stands_free && side > wall && side * kMarkShareOfPlan < std::max(plan.width, plan.height)) {
+    } else if (stands_free && side > wall && side <= mark_max) {
       symbols.marks.push_back(stroke.box);
     }
   }
