@@ -74,6 +74,7 @@ class DxfReader {
  private:
   void read_groups();
   void begin(std::string_view kind);
+  void read_block_head(const Group& group);
   void draw(const Entity& entity, const Placement& outer, int depth);
   void draw_arc(const Placement& placed, const Vec2& centre, double radius, double from_rad,
                 double sweep_rad);
@@ -127,6 +128,17 @@ void DxfReader::begin(std::string_view kind) {
   open_ = &list.back();
 }
 
+void DxfReader::read_block_head(const Group& group) {
+  if (group.code == 2) {
+    block_ = group.value;
+    block_base_[std::string(block_)] = Vec2::Zero();
+  }
+  if (block_.empty()) return;
+  Vec2& base = block_base_[std::string(block_)];
+  if (group.code == 10) base.x() = parse_number(group.value).value_or(0);
+  if (group.code == 20) base.y() = parse_number(group.value).value_or(0);
+}
+
 void DxfReader::read_groups() {
   bool names_section = false, is_insunits = false;
   open_ = &other_;
@@ -155,10 +167,7 @@ void DxfReader::read_groups() {
       drawing_.unit_m = unit_of_insunits(value);
       is_insunits = false;
     } else {
-      if (other_.kind == "BLOCK" && group.code == 2 && open_ == &other_) block_ = value;
-      if (other_.kind == "BLOCK" && open_ == &other_ && (group.code == 10 || group.code == 20) &&
-          !block_.empty())
-        block_base_[std::string(block_)][group.code == 20] = parse_number(value).value_or(0);
+      if (other_.kind == "BLOCK" && open_ == &other_) read_block_head(group);
       open_->groups.push_back(group);
     }
   }
