@@ -1,6 +1,8 @@
 #include "aisle/commands/convert.hpp"
 
+#include <cmath>
 #include <memory>
+#include <sstream>
 
 #include "option_kinds.hpp"
 #include "verb.hpp"
@@ -33,27 +35,69 @@ void add_corridor_width(CLI::App& verb, ConvertOptions& options) {
       ->check(CLI::Range(0.8, 10.0));
 }
 
+/// Share of black, or a grey value above 1: what is darker is solid.
+double solid_from_black(double threshold) {
+  return threshold <= 1 ? threshold : (256 - threshold) / 255;
+}
+
+/// "x,y x,y LENGTH" with or without m behind: two points of the plan and the metres between them.
+double parse_scale(const std::string& text) {
+  constexpr double kLongest_m = 1e5;
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0, length_m = 0;
+  char comma0 = 0, comma1 = 0;
+  std::istringstream in(text);
+  std::string unit;
+  const bool is_complete = static_cast<bool>(in >> x0 >> comma0 >> y0 >> x1 >> comma1 >> y1 >> length_m);
+  in >> unit;
+  const double distance = std::hypot(x1 - x0, y1 - y0);
+  if (is_complete && comma0 == ',' && comma1 == ',' && (unit.empty() || unit == "m") &&
+      (in >> std::ws).eof() && distance > 0 && length_m > 0 && length_m <= kLongest_m)
+    return length_m / distance;
+  throw CLI::ValidationError(
+      "--scale-by", "'" + text + "' is not two different points and a length in metres: \"x,y x,y 12.5 m\"");
+}
+
+void add_drawing_options(CLI::App& verb, ConvertOptions& options) {
+  verb.add_option_function<double>(
+          "--threshold",
+          [&options](double threshold) { options.solid_from_black = solid_from_black(threshold); },
+          "share of black (0 to 1) from which a pixel is a wall, or the grey value (2 to 255) below which it "
+          "is "
+          "(default 0.196)")
+      ->check(CLI::Range(0.001, 255.0));
+  verb.add_option_function<std::string>(
+      "--scale-by", [&options](const std::string& text) { options.scale_m = parse_scale(text); },
+      "scale by two points of an image (pixels) or drawing (its units) and their distance in metres: \"x,y "
+      "x,y 12.5 "
+      "m\"");
+}
+
 }  // namespace
 
 void add_convert_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("convert", "make a world from a floor plan, from a maze, or at random");
   verb->fallthrough();
   auto options = std::make_shared<ConvertOptions>();
-  verb->add_option("PLAN", options->plan,
-                   "wall-segment text, image (PBM, PGM, PNG), map_server YAML file or maze; plain or gzip");
+  verb->add_option(
+      "PLAN", options->plan,
+      "wall-segment text, image (PBM, PGM, PNG), drawing (SVG, PDF, DXF), map_server YAML file or "
+      "maze; plain or gzip");
   add_choice<PlanKind>(*verb, "--from", options->from,
                        {{"segments", PlanKind::kSegments},
                         {"picture", PlanKind::kImage},
+                        {"drawing", PlanKind::kDrawing},
                         {"map_server", PlanKind::kMapServer},
                         {"maze", PlanKind::kMaze}},
                        "format of PLAN (default: detected from its content)");
   add_resolution(*verb, options->resolution_m);
+  add_drawing_options(*verb, *options);
   verb->add_option(
           "--tolerance", options->tracing.tolerance_cells,
           "greatest distance of a straight wall from the border it is traced from, in pixels (default 1)")
       ->check(CLI::Range(0.5, 5.0));
-  verb->add_option("--speck", options->speck_m,
-                   "remove specks of an image that fit into a square of this side, in metres (default 0.1)")
+  verb->add_option(
+          "--speck", options->speck_m,
+          "remove specks of an image that fit into a square of this side, in metres (default 0: none)")
       ->check(CLI::Range(0.0, 2.0));
   add_corridor_width(*verb, *options);
   verb->add_option("--wall-thickness", options->maze.wall_thickness_m,

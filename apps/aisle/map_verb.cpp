@@ -43,6 +43,9 @@ void add_map_verb(CLI::App& app, Work& work) {
                        "mapping rules; published: Algorithms 2 and 3 of C99 only (default refined)");
   verb->add_option("--out", options->out, "output directory for the map, its pictures and the trajectory");
   verb->add_flag("--force", options->force, "overwrite existing results");
+  add_choice<MapMode>(*verb, "--map-mode", options->map_mode,
+                      {{"trinary", MapMode::kTrinary}, {"scale", MapMode::kScale}, {"raw", MapMode::kRaw}},
+                      "mode of the map of cells for map_server (default trinary)");
   add_choice<LengthUnit>(
       *verb, "--units", options->reading.unit,
       {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}, {"mm", LengthUnit::kMillimetre}},

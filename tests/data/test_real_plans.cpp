@@ -77,9 +77,10 @@ TEST_P(RealPlans, AreTracedWithoutLosingFloorAndCanBeDriven) {
   const fs::path folder = real_data() / GetParam().path;
   AISLE_NEEDS(folder);
   for (const fs::path& file : files_in(folder)) {
-    auto plan = read_plan_image(file, GetParam().cell_m);
-    ASSERT_TRUE(plan.ok()) << file;
-    clean_plan(*plan, 0.1);
+    auto read = read_plan_image(file, GetParam().cell_m);
+    ASSERT_TRUE(read.ok()) << file;
+    FloorPlan* plan = &read->plan;
+    clean_plan(*plan, {.speck_m = 0.1});
     SilentProgress silent;
     World world{.name = file.stem().string()};
     for (const Segment2& wall : trace_plan(*plan, {}, silent)) world.walls.push_back({.floor_edge = wall});

@@ -9,6 +9,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     require(!map.problems().empty());
     return 0;
   }
+  TransparentImage greys{Image(16, 16), {}};
+  for (std::size_t i = 0; i < greys.image.bytes.size(); ++i)
+    greys.image.bytes[i] = static_cast<std::uint8_t>(i);
+  require(plan_of_map(greys, *map).plan.solid.size() == greys.image.bytes.size());
   require(!map->image.empty() && map->resolution_m > 0 && map->T_map_plan.is_finite());
   return 0;
 }

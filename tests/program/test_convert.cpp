@@ -42,6 +42,64 @@ TEST_F(Convert, AMapServerMapIsReadThroughItsYamlFile) {
   EXPECT_THAT(read_bytes(at("world.yaml")), HasSubstr("[14, 22]"));
 }
 
+/// Two rooms of 4 x 4 m with walls of three pixels and, if wanted, a gap of 1.2 m between them.
+std::string two_rooms(int wall_grey, bool has_gap) {
+  std::string pgm = "P2\n166 86\n255\n";
+  for (int y = 0; y < 86; ++y) {
+    for (int x = 0; x < 166; ++x) {
+      const bool border = x < 3 || y < 3 || x >= 163 || y >= 83;
+      const bool between = x >= 81 && x < 84 && !(has_gap && y >= 30 && y < 54);
+      pgm += std::to_string(border || between ? wall_grey : 255) + (x == 165 ? "\n" : " ");
+    }
+  }
+  return pgm;
+}
+
+std::string text_of_run(const std::string& plan, const std::vector<std::string>& more,
+                        const std::string& out) {
+  Arguments all = {"convert", plan, "-o", out, "--force"};
+  all.insert(all.end(), more.begin(), more.end());
+  const ProgramRun run = run_aisle(all);
+  return std::to_string(run.exit_code) + " " + run.err;
+}
+
+TEST_F(Convert, FloorOutOfReachIsSaid) {
+  EXPECT_EQ(text_of_run(file("open.pgm", two_rooms(0, true)), {}, at("open.yaml")), "0 ");
+  EXPECT_THAT(text_of_run(file("shut.pgm", two_rooms(0, false)), {}, at("shut.yaml")),
+              HasSubstr("50 % of the floor where a vehicle 0.6 m wide fits cannot be reached"));
+}
+
+TEST_F(Convert, LightGreyWallsAreSaidAndFoundByAThreshold) {
+  const std::string plan = file("light.pgm", two_rooms(215, true));
+  EXPECT_THAT(text_of_run(plan, {}, at("light.yaml")), HasSubstr("--threshold 216"));
+  EXPECT_EQ(text_of_run(plan, {"--threshold", "216"}, at("light.yaml")), "0 ");
+  EXPECT_EQ(text_of_run(plan, {"--threshold", "0.1"}, at("light.yaml")), "0 ");
+}
+
+TEST_F(Convert, TwoPointsGiveTheScale) {
+  const std::string plan = file("rooms.pgm", two_rooms(0, true));
+  const auto walls_m = [&](const Arguments& more) {
+    Arguments all = {plan};
+    all.insert(all.end(), more.begin(), more.end());
+    return convert(all, "scaled.yaml").json()["figures"]["walls_m"].get<double>();
+  };
+  const double usual_m = walls_m({"--force"});
+  EXPECT_NEAR(walls_m({"--force", "--scale-by", "0,0 100,0 10 m"}), 2 * usual_m, 0.2);
+  EXPECT_THAT(text_of_run(plan, {"--scale-by", "0,0 0,0 3 m"}, at("x.yaml")),
+              HasSubstr("is not two different points"));
+}
+
+TEST_F(Convert, ADrawingBecomesAWorld) {
+  const std::string svg =
+      file("room.svg",
+           "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 600 400\"><rect x=\"5\" "
+           "y=\"5\" width=\"590\" height=\"390\" fill=\"none\" stroke=\"black\" "
+           "stroke-width=\"10\"/></svg>");
+  EXPECT_THAT(text_of_run(svg, {}, at("room.yaml")), HasSubstr("--scale-by"));
+  EXPECT_EQ(convert({svg, "--scale-by", "0,0 600,0 6", "--force"}, "room.yaml").json()["figures"]["walls"],
+            4);
+}
+
 TEST_F(Convert, AMazeBecomesCorridorsOfTheWidthAskedFor) {
   const auto result =
       convert({file("maze.txt", kMaze), "--corridor-width", "2", "--wall-thickness", "0.5"}, "maze.yaml")

@@ -75,6 +75,14 @@ TEST_F(Map, WritesTheFilesThatItNames) {
   for (const std::string path : files) EXPECT_THAT(read_bytes(path), Not(IsEmpty())) << path;
 }
 
+TEST_F(Map, TheMapOfCellsIsWrittenInTheModeAskedFor) {
+  run_aisle({"map", log(), "--out", at("raw"), "--map-mode", "raw"});
+  EXPECT_THAT(read_bytes(at("raw/map.yaml")), HasSubstr("mode: raw"));
+  run_aisle({"map", log(), "--out", at("scale"), "--map-mode", "scale"});
+  EXPECT_THAT(read_bytes(at("scale/map.yaml")), HasSubstr("image: map-cells.png"));
+  EXPECT_THAT(read_bytes(at("scale/map-cells.png")), HasSubstr("PNG"));
+}
+
 TEST_F(Map, TheTrajectoryHasOnePoseAtEveryScan) {
   run_aisle({"map", log(), "--out", at("out")});
   const std::string text = read_bytes(at("out/trajectory.tum"));

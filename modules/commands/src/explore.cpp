@@ -31,6 +31,7 @@ Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
   auto setting =
       read_setting(options.world, exploring_vehicle(options), options.scenario, options.plan_pixel_m);
   if (!setting) return setting.problems();
+  for (const std::string& warning : setting->warnings) console.warn(warning);
   const auto plan = read_exploration_plan(options, std::move(*setting));
   if (!plan) return plan.problems();
   const auto directory = OutputDirectory::open_if_named(

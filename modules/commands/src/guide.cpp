@@ -53,6 +53,7 @@ Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const st
                          Console& console) {
   const auto plan = read_guide_plan(options, goal);
   if (!plan) return plan.problems();
+  for (const std::string& warning : plan->setting.warnings) console.warn(warning);
   SimulatedVehicle vehicle = vehicle_in(
       plan->setting, set_down_at_home(plan->setting, plan->T_world_start, options.seed), options.seed);
   auto session = open_session(options.out, options.force, vehicle, &vehicle, plan->origin, console.watcher);

@@ -28,6 +28,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kScaleImage = "map-cells.png";  ///< map.png is the picture
+
 Json mean_and_std(const MeanAndDeviation& m, double unit) {
   return {{"mean", rounded(m.mean / unit, 5)}, {"std", rounded(m.deviation / unit, 5)}};
 }
@@ -193,19 +195,21 @@ std::string mapping_text(const Json& figures) {
 }
 
 Result<std::map<std::string, std::string>> write_results(const MapResult& result, const LaserLog& log,
-                                                         const std::string& title,
+                                                         const std::string& title, MapMode mode,
                                                          const OutputDirectory& out) {
   const Building building{title, result.has_dominant_direction, result.walls};
   const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, title};
   std::vector<double> stamps_s;
   for (const LaserScan& scan : log.scans) stamps_s.push_back(scan.stamp_s);
   const OccupancyImage occupancy = occupancy_of(result.walls, log, result.T_map_vehicle);
+  const bool is_png = mode == MapMode::kScale;
+  const std::string image = is_png ? kScaleImage : "map.pgm";
   return out.write({{"building", "building.json", building_json(building)},
                     {"picture_svg", "map.svg", svg(picture)},
                     {"picture_png", "map.png", png(picture)},
                     {"trajectory", "trajectory.tum", tum_text(stamps_s, result.T_map_vehicle)},
-                    {"map_pgm", "map.pgm", pgm_bytes(occupancy)},
-                    {"map_yaml", "map.yaml", map_server_yaml(occupancy, "map.pgm")}});
+                    {is_png ? "map_cells" : "map_pgm", image, map_image_bytes(occupancy, mode)},
+                    {"map_yaml", "map.yaml", map_server_yaml(occupancy, image, mode)}});
 }
 
 Problems problems_of(const MapOptions& options) {
@@ -255,7 +259,7 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
   }
   const auto directory = OutputDirectory::open_if_named(
       options.out, options.force,
-      {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", "map.yaml"});
+      {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", kScaleImage, "map.yaml"});
   if (!directory) return directory.problems();
 
   const MapResult result = options.rules == MapRules::kRefined
@@ -287,7 +291,7 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
   add_trust(judge_map(result.walls, log, result.T_map_vehicle), outcome);
   outcome.figures["warnings"] = warnings_json(settled->warnings);
   if (*directory) {
-    auto written = write_results(result, log, title_of(options.log), **directory);
+    auto written = write_results(result, log, title_of(options.log), options.map_mode, **directory);
     if (!written) return written.problems();
     outcome.files = std::move(*written);
     outcome.text += fmt::format("see {}\n", outcome.files["picture_png"]);

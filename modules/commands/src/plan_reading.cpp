@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "aisle/formats/images/map_server.hpp"
+#include "aisle/formats/images/plan_drawing.hpp"
 #include "aisle/formats/images/plan_image.hpp"
 #include "aisle/formats/mazes/maze_file.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/simulation/plans/free_sides.hpp"
+#include "aisle/simulation/plans/plan_symbols.hpp"
 
 namespace aisle {
 namespace {
@@ -39,14 +41,41 @@ bool begins_with_wall_segment(std::string_view bytes) {
   return false;
 }
 
-Result<World> world_of_floor(Result<FloorPlan> plan, const PlanOptions& options, Console& console) {
-  if (!plan) return plan.problems();
-  clean_plan(*plan, options.speck_m);
+/// "at pixel (u, v)", as image editors show it.
+std::string pixel_of(const CellBox& box, const FloorPlan& plan) {
+  return fmt::format("at pixel ({}, {})", box.x, plan.height - box.y - box.height);
+}
+
+/// Opens the doors that are drawn and says what was taken for what.
+void read_symbols(FloorPlan& plan, const std::string& name, Console& console) {
+  const auto [doors, marks] = open_drawn_doors(plan);
+  if (!doors.empty()) {
+    console.warn(fmt::format("{}: {} drawn as leaf and arc, the first {}, taken as open", name,
+                             doors.size() == 1 ? "a door" : fmt::format("{} doors", doors.size()),
+                             pixel_of(doors.front(), plan)));
+  }
+  if (marks.empty()) return;
+  int side = 0;
+  for (const CellBox& mark : marks) side = std::max({side, mark.width, mark.height});
+  console.warn(
+      fmt::format("{}: {} small strokes that stand free, such as letters, the first {}, count as walls; "
+                  "--speck {:.3g} removes them",
+                  name, marks.size(), pixel_of(marks.front(), plan), side * plan.cell_m));
+}
+
+Result<World> world_of_floor(Result<PlanReading> read, const PlanOptions& options, Console& console) {
+  if (!read) return read.problems();
+  const std::string name = options.plan.string();
+  for (const Problem& warning : read->warnings) console.warn(to_string(warning));
+  FloorPlan& plan = read->plan;
+  if (options.from != PlanKind::kMapServer) read_symbols(plan, name, console);
+  if (const int specks = clean_plan(plan, {.speck_m = options.speck_m}); specks > 0)
+    console.warn(fmt::format("{}: {} specks removed, as --speck says", name, specks));
   World world;
-  for (const Segment2& wall : trace_plan(*plan, options.tracing, console.progress)) {
+  for (const Segment2& wall : trace_plan(plan, options.tracing, console.progress)) {
     world.walls.push_back({.floor_edge = wall});
   }
-  if (world.walls.empty()) return Problem{{options.plan.string()}, "shows no free floor"};
+  if (world.walls.empty()) return Problem{{name}, "shows no free floor"};
   return world;
 }
 
@@ -75,15 +104,22 @@ Result<World> world_of_segments(std::string_view bytes, const std::string& name)
   return world;
 }
 
-Result<World> walls_of_plan(const PlanOptions& options, Console& console) {
+Result<World> walls_of_plan(PlanOptions options, Console& console) {
   const Result<std::string> bytes = read_whole_file(options.plan, kBytesMax);
   if (!bytes) return bytes.problems();
   const std::string name = options.plan.string();
-  switch (options.from == PlanKind::kAny ? plan_kind_of(options.plan, *bytes) : options.from) {
+  if (options.from == PlanKind::kAny) options.from = plan_kind_of(options.plan, *bytes);
+  switch (options.from) {
     case PlanKind::kSegments:
       return world_of_segments(*bytes, name);
     case PlanKind::kImage:
-      return world_of_floor(parse_plan_image(*bytes, name, options.resolution_m), options, console);
+      return world_of_floor(parse_plan_image(*bytes, name, options.scale_m.value_or(options.resolution_m),
+                                             options.solid_from_black),
+                            options, console);
+    case PlanKind::kDrawing:
+      return world_of_floor(
+          parse_plan_drawing(*bytes, name, {options.resolution_m, options.scale_m}, options.solid_from_black),
+          options, console);
     case PlanKind::kMapServer:
       return world_of_floor(read_map_server(options.plan), options, console);
     case PlanKind::kMaze:
@@ -105,6 +141,7 @@ PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes)
   if (std::any_of(kImages.begin(), kImages.end(), [&](auto magic) { return bytes.starts_with(magic); })) {
     return PlanKind::kImage;
   }
+  if (drawing_kind_of(bytes)) return PlanKind::kDrawing;
   if (is_yaml(name)) return PlanKind::kMapServer;
   return begins_with_wall_segment(bytes) ? PlanKind::kSegments : PlanKind::kMaze;
 }
@@ -122,6 +159,13 @@ PlannedWorld with_tour(World world, const RoundTripParams& params, Console& cons
         fmt::format("{}: no room for a vehicle {:g} m wide: the world has neither a start nor a tour",
                     world.name, params.vehicle_width_m));
     return {std::move(world), 0};
+  }
+  if (run->shut_off) {
+    const auto& [share, largest_m2, p_world] = *run->shut_off;
+    console.warn(
+        fmt::format("{}: {:.2g} % of the floor where a vehicle {:g} m wide fits cannot be reached from the "
+                    "start; the largest such part, {:.3g} m2, is at ({:.2f}, {:.2f}) m",
+                    world.name, 100 * share, params.vehicle_width_m, largest_m2, p_world.x(), p_world.y()));
   }
   if (!world.start) world.start = run->T_world_start;
   if (world.tour.empty() && run->tour.size() > 1) world.tour = std::move(run->tour);

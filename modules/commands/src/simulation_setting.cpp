@@ -31,11 +31,12 @@ Problems check_scenario(const std::string& file, const SimulationSetting& settin
   return problems;
 }
 
-Result<World> read_world_or_plan(const std::filesystem::path& file, double plan_pixel_m) {
+Result<World> read_world_or_plan(const std::filesystem::path& file, double plan_pixel_m,
+                                 std::vector<std::string>& warnings) {
   if (!is_plan(file)) return read_world(file);
   const PlanOptions plan{.plan = file, .resolution_m = plan_pixel_m};
   SilentProgress silent;
-  Console console{silent, [](const std::string&) {}};
+  Console console{silent, [&](const std::string& warning) { warnings.push_back(warning); }};
   auto world = world_of_plan(plan, console);
   if (!world) return world;
   return with_tour(std::move(*world), {}, console).world;
@@ -50,7 +51,7 @@ Result<SimulationSetting> read_setting(const std::string& world, const std::stri
     auto file = shipped_or_own("worlds", world);
     if (!file) return file.problems();
     setting.world_file = std::move(*file);
-    auto read = read_world_or_plan(setting.world_file, plan_pixel_m);
+    auto read = read_world_or_plan(setting.world_file, plan_pixel_m, setting.warnings);
     if (!read) return read.problems();
     setting.world = std::move(*read);
   }

@@ -11,6 +11,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "calibration_lens.hpp"
 #include "field_reader.hpp"
 #include "file_limits.hpp"
 #include "problem_list.hpp"
@@ -22,9 +23,14 @@ namespace {
 constexpr double kCoefficientMax = 1e4;
 
 using Names = std::initializer_list<const char*>;
-constexpr Names kMatrixNames = {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K", "M1"};
-constexpr Names kDistortionNames = {
-    "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "D", "D1"};
+constexpr Names kMatrixNames = {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K", "M1", "intrinsics"};
+constexpr Names kDistortionNames = {"distortion_coefficients",
+                                    "Distortion_Coefficients",
+                                    "distCoeffs",
+                                    "dist_coeffs",
+                                    "distortion_coeffs",
+                                    "D",
+                                    "D1"};
 constexpr Names kRmsNames = {"rms", "avg_reprojection_error", "Avg_Reprojection_Error"};
 
 /// OpenCV's files start with "%YAML:1.0", which is not a YAML directive. The line becomes a comment.
@@ -57,16 +63,19 @@ class CalibrationReader {
 
  private:
   void read_document(const YAML::Node& document);
+  static std::vector<std::string> kalibr_cameras(const YAML::Node& document);
+  void read_camera(const YAML::Node& document);
+  void set_name(const Entry& entry, const std::string& name);
   void read_size(const YAML::Node& document);
   void read_matrix(const Entry& entry);
-  void read_distortion(const Entry& entry);
-  void read_model(const YAML::Node& document);
+  void read_distortion(const Entry& entry, std::optional<LensModel> model);
+  std::optional<LensModel> read_model(const YAML::Node& document);
   void read_mount(const YAML::Node& node);
 
   std::optional<Entry> first_of(const YAML::Node& document, Names names);
   std::vector<double> numbers(const Entry& entry, double limit);
   std::optional<double> number(const Entry& entry, Range range);
-  void side(const YAML::Node& document, const char* key, int& side_px);
+  void side(const Entry& entry, int& side_px);
   void problem(const YAML::Node& node, const std::string& key, std::string what) {
     problems_.add(std::max(0, node.Mark().line) + 1, key, std::move(what));
   }
@@ -81,20 +90,41 @@ void CalibrationReader::read_document(const YAML::Node& document) {
     problem(document, "", "is not a calibration: expected keys such as camera_matrix");
     return;
   }
-  read_model(document);
+  add_duplicate_keys(document, problems_);
+  if (const std::vector<std::string> cameras = kalibr_cameras(document); !cameras.empty()) {
+    if (cameras.size() > 1) {
+      return problem(document, "",
+                     fmt::format("has the cameras {}; leave only the one that is meant in the file",
+                                 printable(fmt::format("{}", fmt::join(cameras, ", ")))));
+    }
+    read_camera(document[cameras.front()]);
+    return set_name({"", document}, cameras.front());
+  }
+  read_camera(document);
+}
+
+/// kalibr's camchain has one map a camera: cam0, cam1 ...
+std::vector<std::string> CalibrationReader::kalibr_cameras(const YAML::Node& document) {
+  std::vector<std::string> cameras;
+  for (const auto& entry : document) {
+    if (entry.first.IsScalar() && entry.second.IsMap() && entry.second["intrinsics"])
+      cameras.push_back(entry.first.Scalar());
+  }
+  return cameras;
+}
+
+void CalibrationReader::read_camera(const YAML::Node& document) {
+  const std::optional<LensModel> model = read_model(document);
   read_size(document);
   if (const auto entry = first_of(document, kMatrixNames)) {
     read_matrix(*entry);
   } else {
     problem(document, "camera_matrix", "is missing");
   }
-  if (const auto entry = first_of(document, kDistortionNames)) read_distortion(*entry);
-  if (const auto entry = first_of(document, {"camera_name"}); entry && entry->node.IsScalar()) {
-    calibration_.camera_name = entry->node.Scalar();
-    if (!is_line_of_text(calibration_.camera_name)) {
-      problem(entry->node, entry->key, "is not a line of UTF-8 text");
-    }
-  }
+  calibration_.intrinsics.model = model.value_or(LensModel::kPlumbBob);
+  if (const auto entry = first_of(document, kDistortionNames)) read_distortion(*entry, model);
+  if (const auto entry = first_of(document, {"camera_name"}); entry && entry->node.IsScalar())
+    set_name(*entry, entry->node.Scalar());
   if (const auto entry = first_of(document, kRmsNames)) calibration_.rms_px = number(*entry, {0, 1e6});
   if (const auto entry = first_of(document, {"vehicle_mount"})) read_mount(entry->node);
   if (const auto entry = first_of(document, {"laser_height_m"})) {
@@ -102,66 +132,83 @@ void CalibrationReader::read_document(const YAML::Node& document) {
   }
 }
 
-/// Refuses another lens model before its numbers are taken for plumb_bob's.
-void CalibrationReader::read_model(const YAML::Node& document) {
-  if (const auto model = first_of(document, {"distortion_model"})) {
-    static constexpr std::array kKnown = {"plumb_bob", "rational_polynomial", "none", ""};
-    const std::string name = model->node.IsScalar() ? model->node.Scalar() : "no single value";
-    if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) {
-      problem(model->node, model->key,
-              fmt::format("'{}' is not plumb_bob, the only supported lens model", printable(name)));
+void CalibrationReader::set_name(const Entry& entry, const std::string& name) {
+  calibration_.camera_name = name;
+  if (!is_line_of_text(name)) problem(entry.node, entry.key, "is not a line of UTF-8 text");
+}
+
+/// The lens model that the file states; refuses one that CameraModel does not have.
+std::optional<LensModel> CalibrationReader::read_model(const YAML::Node& document) {
+  std::optional<LensModel> model;
+  const auto state = [&](const Entry& entry, LensModel stated) {
+    if (model && *model != stated)
+      problem(entry.node, entry.key,
+              fmt::format("says {}, but the file also says {}", name_of(stated), name_of(*model)));
+    model = stated;
+  };
+  for (const char* key : {"distortion_model", "camera_model"}) {
+    const auto entry = first_of(document, {key});
+    if (!entry) continue;
+    const std::string name = entry->node.IsScalar() ? entry->node.Scalar() : "no single value";
+    if (entry->key == "camera_model" && name == "pinhole") continue;
+    if (const auto named = lens_model_named(name)) {
+      state(*entry, *named);
+      continue;
     }
+    problem(entry->node, entry->key,
+            fmt::format("'{}' is none of plumb_bob (radtan), rational_polynomial, equidistant (fisheye)",
+                        printable(name)));
   }
   if (const auto fisheye = first_of(document, {"fisheye_model"})) {
-    if (number(*fisheye, {0, 1}).value_or(0) != 0) {
-      problem(fisheye->node, fisheye->key, "a fisheye lens is not supported, only plumb_bob");
-    }
+    if (number(*fisheye, {0, 1}).value_or(0) != 0) state(*fisheye, LensModel::kEquidistant);
   }
+  return model;
 }
 
 void CalibrationReader::read_size(const YAML::Node& document) {
-  side(document, "image_width", calibration_.width_px);
-  side(document, "image_height", calibration_.height_px);
+  if (const YAML::Node size = document["resolution"]; size && size.IsSequence() && size.size() == 2) {
+    side({"resolution[0]", size[0]}, calibration_.width_px);
+    side({"resolution[1]", size[1]}, calibration_.height_px);
+  }
+  if (const auto width = first_of(document, {"image_width"})) side(*width, calibration_.width_px);
+  if (const auto height = first_of(document, {"image_height"})) side(*height, calibration_.height_px);
   if ((calibration_.width_px == 0) != (calibration_.height_px == 0) && problems_.empty()) {
     problem(document, calibration_.width_px == 0 ? "image_width" : "image_height",
             "is missing, though the other side is given");
   }
 }
 
-void CalibrationReader::side(const YAML::Node& document, const char* key, int& side_px) {
-  const auto entry = first_of(document, {key});
-  if (!entry) return;
-  const auto value = number(*entry, {1, kImageSideMax_px});
+void CalibrationReader::side(const Entry& entry, int& side_px) {
+  const auto value = number(entry, {1, kImageSideMax_px});
   if (!value) return;
-  if (*value != std::floor(*value)) problem(entry->node, key, "is not a whole number");
+  if (*value != std::floor(*value)) problem(entry.node, entry.key, "is not a whole number");
   side_px = static_cast<int>(*value);
 }
 
+/// The camera matrix, or kalibr's [fx, fy, cx, cy].
 void CalibrationReader::read_matrix(const Entry& entry) {
   const std::vector<double> m = numbers(entry, 1e6);
+  const bool is_short = entry.key == "intrinsics";
   if (m.empty()) return;
-  if (m.size() != 9) {
-    problem(entry.node, entry.key, fmt::format("has {} numbers, not the 9 of a camera matrix", m.size()));
+  if (m.size() != (is_short ? 4 : 9)) {
+    problem(entry.node, entry.key,
+            is_short ? "is not [fx, fy, cx, cy]"
+                     : fmt::format("has {} numbers, not the 9 of a camera matrix", m.size()));
     return;
   }
-  if (m[0] <= 0 || m[4] <= 0) problem(entry.node, entry.key, "the focal lengths are not positive");
-  if (m[1] != 0) problem(entry.node, entry.key, "skew is not supported: the second number must be 0");
-  if (m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1) {
-    problem(entry.node, entry.key, "is not [fx, 0, cx, 0, fy, cy, 0, 0, 1]");
-  }
   CameraIntrinsics& lens = calibration_.intrinsics;
-  lens.fx_px = m[0], lens.cx_px = m[2], lens.fy_px = m[4], lens.cy_px = m[5];
+  lens.fx_px = m[0], lens.fy_px = m[is_short ? 1 : 4], lens.cx_px = m[2], lens.cy_px = m[is_short ? 3 : 5];
+  if (lens.fx_px <= 0 || lens.fy_px <= 0)
+    problem(entry.node, entry.key, "the focal lengths are not positive");
+  if (is_short) return;
+  if (m[1] != 0) problem(entry.node, entry.key, "skew is not supported: the second number must be 0");
+  if (m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1)
+    problem(entry.node, entry.key, "is not [fx, 0, cx, 0, fy, cy, 0, 0, 1]");
 }
 
-void CalibrationReader::read_distortion(const Entry& entry) {
-  std::vector<double> d = numbers(entry, kCoefficientMax);
-  if (d.size() > 5 && std::any_of(d.begin() + 5, d.end(), [](double v) { return v != 0; })) {
-    problem(entry.node, entry.key,
-            fmt::format("has {} coefficients; only k1, k2, p1, p2, k3 are supported", d.size()));
-  }
-  d.resize(5);
-  CameraIntrinsics& lens = calibration_.intrinsics;
-  lens.k1 = d[0], lens.k2 = d[1], lens.p1 = d[2], lens.p2 = d[3], lens.k3 = d[4];
+void CalibrationReader::read_distortion(const Entry& entry, std::optional<LensModel> model) {
+  const std::string wrong = set_distortion(calibration_.intrinsics, model, numbers(entry, kCoefficientMax));
+  if (!wrong.empty()) problem(entry.node, entry.key, wrong);
 }
 
 void CalibrationReader::read_mount(const YAML::Node& node) {

@@ -2,6 +2,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/calibration_file.hpp"
+#include "calibration_lens.hpp"
 #include "yaml_text.hpp"
 
 namespace aisle {
@@ -16,8 +17,8 @@ std::string matrix_data(const CameraIntrinsics& lens) {
   return fmt::format("[{}, 0., {}, 0., {}, {}, 0., 0., 1.]", lens.fx_px, lens.cx_px, lens.fy_px, lens.cy_px);
 }
 
-std::string distortion_data(const CameraIntrinsics& lens) {
-  return fmt::format("[{}, {}, {}, {}, {}]", lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
+std::string distortion_data(const std::vector<double>& coefficients) {
+  return fmt::format("[{}]", fmt::join(coefficients, ", "));
 }
 
 /// Keys that neither OpenCV nor ROS defines; both ignore them.
@@ -45,9 +46,13 @@ std::string opencv_calibration_yaml(const CameraCalibration& c) {
     return fmt::format("{}: !!opencv-matrix\n   rows: {}\n   cols: {}\n   dt: d\n   data: {}\n", key, rows,
                        cols, data);
   };
+  const std::vector<double> distortion = distortion_coefficients(c.intrinsics);
   return "%YAML:1.0\n---\n" + size_text(c) + "camera_name: " + yaml_quoted(c.camera_name) + "\n" +
          matrix("camera_matrix", 3, 3, matrix_data(c.intrinsics)) +
-         matrix("distortion_coefficients", 5, 1, distortion_data(c.intrinsics)) + own_keys(c);
+         (c.intrinsics.model == LensModel::kEquidistant ? "fisheye_model: 1\n" : "") +
+         matrix("distortion_coefficients", static_cast<int>(distortion.size()), 1,
+                distortion_data(distortion)) +
+         own_keys(c);
 }
 
 std::string camera_info_yaml(const CameraCalibration& c) {
@@ -55,9 +60,12 @@ std::string camera_info_yaml(const CameraCalibration& c) {
     return fmt::format("{}:\n  rows: {}\n  cols: {}\n  data: {}\n", key, rows, cols, data);
   };
   const CameraIntrinsics& lens = c.intrinsics;
+  const std::vector<double> distortion = distortion_coefficients(lens);
   return size_text(c) + "camera_name: " + yaml_quoted(c.camera_name) + "\n" +
-         matrix("camera_matrix", 3, 3, matrix_data(lens)) + "distortion_model: plumb_bob\n" +
-         matrix("distortion_coefficients", 1, 5, distortion_data(lens)) +
+         matrix("camera_matrix", 3, 3, matrix_data(lens)) + "distortion_model: " + name_of(lens.model) +
+         "\n" +
+         matrix("distortion_coefficients", 1, static_cast<int>(distortion.size()),
+                distortion_data(distortion)) +
          matrix("rectification_matrix", 3, 3, "[1., 0., 0., 0., 1., 0., 0., 0., 1.]") +
          matrix("projection_matrix", 3, 4,
                 fmt::format("[{}, 0., {}, 0., 0., {}, {}, 0., 0., 0., 1., 0.]", lens.fx_px, lens.cx_px,

@@ -1,8 +1,12 @@
 #include "yaml_text.hpp"
 
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <map>
+
+#include "field_reader.hpp"
 
 namespace aisle {
 
@@ -15,6 +19,18 @@ std::string yaml_quoted(const std::string& text) {
 bool is_line_of_text(const std::string& text) {
   const auto is_control = [](unsigned char c) { return c < ' ' || c == 127; };
   return std::none_of(text.begin(), text.end(), is_control) && YAML::Load(yaml_quoted(text)).Scalar() == text;
+}
+
+void add_duplicate_keys(const YAML::Node& map, ProblemList& problems) {
+  std::map<std::string, long> first_lines;
+  for (const auto& entry : map) {
+    if (!entry.first.IsScalar()) continue;
+    const long line = entry.first.Mark().line + 1;
+    const auto [first, is_new] = first_lines.emplace(entry.first.Scalar(), line);
+    if (!is_new)
+      problems.add(line, printable(entry.first.Scalar()),
+                   fmt::format("is given twice, first on line {}", first->second));
+  }
 }
 
 }  // namespace aisle

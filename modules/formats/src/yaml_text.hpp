@@ -1,6 +1,10 @@
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <string>
+
+#include "problem_list.hpp"
 
 namespace aisle {
 
@@ -10,5 +14,8 @@ std::string yaml_quoted(const std::string& text);
 /// Whether `yaml_quoted` can write the text so that it reads back unchanged: UTF-8 without control
 /// characters.
 bool is_line_of_text(const std::string& text);
+
+/// Adds a problem for every key that a map has twice: YAML readers differ in which of them they take.
+void add_duplicate_keys(const YAML::Node& map, ProblemList& problems);
 
 }  // namespace aisle

@@ -94,15 +94,81 @@ TEST(CalibrationFile, ARealFileOfOpenCvsIsRead) {
   EXPECT_NEAR(*c->rms_px, 0.3926, 0.0001);
 }
 
+/// What comes back when a calibration is written in both layouts and read again.
+void expect_written_back(const CameraCalibration& c) {
+  for (const std::string& text : {opencv_calibration_yaml(c), camera_info_yaml(c)}) {
+    const auto again = parse_calibration(text, "written.yaml");
+    ASSERT_TRUE(again.ok()) << to_string(again.problems()) << text;
+    EXPECT_EQ(again->intrinsics, c.intrinsics);
+    EXPECT_EQ(again->width_px, c.width_px);
+    EXPECT_EQ(again->camera_name, c.camera_name);
+  }
+}
+
+/// image_pipeline#682: four fisheye coefficients were taken for plumb_bob's.
+TEST(CalibrationFile, AFisheyeLensIsEquidistantWhateverItIsCalled) {
+  for (const std::string name :
+       {"camera_model: fisheye", "distortion_model: fisheye", "distortion_model: equidistant",
+        "camera_model: pinhole\ndistortion_model: equidistant", "fisheye_model: 1"}) {
+    const auto c = parse_calibration(calibration_with(name + "\nD: [0.1, -0.03, 0.004, -0.0007]"), "c.yaml");
+    ASSERT_TRUE(c.ok()) << to_string(c.problems());
+    EXPECT_EQ(c->intrinsics.model, LensModel::kEquidistant);
+    EXPECT_EQ(c->intrinsics.k3, 0.004);
+    EXPECT_EQ(c->intrinsics.k4, -0.0007);
+    EXPECT_EQ(c->intrinsics.p1, 0);
+    expect_written_back(*c);
+  }
+}
+
+TEST(CalibrationFile, EightCoefficientsAreARationalLens) {
+  for (const std::string name : {"distortion_model: rational_polynomial", ""}) {
+    const auto c = parse_calibration(
+        calibration_with(name + "\nD: [-0.28, 0.025, 0.0012, -0.00014, 0.16, 0.01, 0.02, 0.003]"), "c.yaml");
+    ASSERT_TRUE(c.ok()) << to_string(c.problems());
+    EXPECT_EQ(c->intrinsics.model, LensModel::kRationalPolynomial);
+    EXPECT_EQ(c->intrinsics.k3, 0.16);
+    EXPECT_EQ(c->intrinsics.k6, 0.003);
+    expect_written_back(*c);
+  }
+}
+
+const std::string kCamera =
+    ":\n  camera_model: pinhole\n  distortion_coeffs: [-0.28, 0.025, 0.0012, -0.00014]\n"
+    "  distortion_model: radtan\n  intrinsics: [532.8, 532.9, 342.5, 233.9]\n  resolution: [640, 480]\n";
+
+TEST(CalibrationFile, KalibrsCamchainIsRead) {
+  const auto c = parse_calibration("cam0" + kCamera, "chain.yaml");
+  ASSERT_TRUE(c.ok()) << to_string(c.problems());
+  EXPECT_EQ(c->camera_name, "cam0");
+  EXPECT_EQ(c->width_px, 640);
+  EXPECT_EQ(c->height_px, 480);
+  EXPECT_EQ(c->intrinsics.fy_px, 532.9);
+  EXPECT_EQ(c->intrinsics.cx_px, 342.5);
+  EXPECT_EQ(c->intrinsics.model, LensModel::kPlumbBob);
+  EXPECT_EQ(c->intrinsics.p2, -0.00014);
+  expect_written_back(*c);
+  EXPECT_EQ(calibration_problems("cam0" + kCamera + "cam1" + kCamera),
+            "camera.yaml:1: has the cameras cam0, cam1; leave only the one that is meant in the file");
+}
+
 TEST(CalibrationFile, OtherLensesAreRefusedWithTheirLine) {
-  EXPECT_EQ(calibration_problems(calibration_with("distortion_model: equidistant")),
-            "camera.yaml:3: distortion_model: 'equidistant' is not plumb_bob, the only supported lens model");
-  EXPECT_THAT(calibration_problems(calibration_with("fisheye_model: 1")),
-              HasSubstr("camera.yaml:3: fisheye_model: a fisheye lens"));
-  EXPECT_THAT(calibration_problems(calibration_with("D: [0, 0, 0, 0, 0, 0.1, 0, 0]")),
-              HasSubstr("camera.yaml:3: D: has 8 coefficients; only k1, k2, p1, p2, k3"));
+  EXPECT_EQ(calibration_problems(calibration_with("distortion_model: fov")),
+            "camera.yaml:3: distortion_model: 'fov' is none of plumb_bob (radtan), rational_polynomial, "
+            "equidistant (fisheye)");
+  EXPECT_THAT(calibration_problems(calibration_with("camera_model: omni")), HasSubstr("'omni' is none of"));
+  EXPECT_THAT(calibration_problems(calibration_with("distortion_model: plumb_bob\nfisheye_model: 1")),
+              HasSubstr("camera.yaml:4: fisheye_model: says equidistant, but the file also says plumb_bob"));
+  EXPECT_THAT(
+      calibration_problems(calibration_with("distortion_model: plumb_bob\nD: [0, 0, 0, 0, 0, 0.1, 0, 0]")),
+      HasSubstr("camera.yaml:4: D: has 8 coefficients; the model plumb_bob has 5"));
+  EXPECT_THAT(calibration_problems(calibration_with("D: [0, 0, 0, 0, 0, 0, 0, 0, 0.1, 0, 0, 0]")),
+              HasSubstr("D: has 12 coefficients"));
+  EXPECT_THAT(calibration_problems(calibration_with("distortion_model: equidistant\nD: [0, 0, 0, 0, 0.1]")),
+              HasSubstr("D: has 5 coefficients; the equidistant model has 4"));
   EXPECT_EQ(calibration_problems(calibration_with("D: [0.1, 0, 0, 0, 0, 0, 0, 0]")), "none");
   EXPECT_THAT(calibration_problems("K: [500, 1, 320, 0, 500, 240, 0, 0, 1]"), HasSubstr("skew"));
+  EXPECT_THAT(calibration_problems(calibration_with("image_width: 641")),
+              HasSubstr("camera.yaml:3: image_width: is given twice, first on line 1"));
 }
 
 TEST(CalibrationFile, ProblemsNameLineAndKey) {

@@ -157,11 +157,11 @@ TEST(DocumentedExamples, TheListOfImagesHasPoses) {
 }
 
 TEST(DocumentedExamples, ThePlanIsARoomWithAPillar) {
-  const auto plan = parse_plan_image(example("plan.md"), "plan.md", 0.05);
-  ASSERT_TRUE(plan.ok()) << to_string(plan.problems());
-  EXPECT_TRUE(plan->is_solid(2, 2));
-  EXPECT_TRUE(plan->is_solid(3, 2)) << "unknown";
-  EXPECT_FALSE(plan->is_solid(1, 2));
+  const auto read = parse_plan_image(example("plan.md"), "plan.md", 0.05);
+  ASSERT_TRUE(read.ok()) << to_string(read.problems());
+  EXPECT_TRUE(read->plan.is_solid(2, 2));
+  EXPECT_TRUE(read->plan.is_solid(3, 2)) << "unknown";
+  EXPECT_FALSE(read->plan.is_solid(1, 2));
 }
 
 TEST(DocumentedExamples, TheScenarioIsRead) {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "images/big_endian.hpp"
+
 namespace aisle {
 namespace {
 
@@ -13,12 +15,6 @@ constexpr std::string_view kPngSignature("\x89PNG\r\n\x1a\n", 8);
 constexpr std::string_view kJpegStart("\xff\xd8\xff", 3);
 constexpr std::string_view kJpegEnd("\xff\xd9", 2);
 constexpr std::size_t kPngNumberBytes = 4, kPngTypeBytes = 4;
-
-std::uint32_t big_endian(std::string_view bytes) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < kPngNumberBytes; ++i) value = value << 8 | static_cast<std::uint8_t>(bytes[i]);
-  return value;
-}
 
 std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(

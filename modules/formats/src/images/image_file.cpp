@@ -9,6 +9,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "file_limits.hpp"
 #include "images/image_damage.hpp"
+#include "images/image_transparency.hpp"
 
 namespace aisle {
 namespace {
@@ -25,10 +26,14 @@ cv::Mat to_mat(const Image& image) {
   return bgr;
 }
 
-std::string encoded(const Image& image, const char* extension, const std::vector<int>& settings) {
+std::string encoded(const cv::Mat& image, const char* extension, const std::vector<int>& settings) {
   std::vector<std::uint8_t> bytes;
-  cv::imencode(extension, to_mat(image), bytes, settings);
+  cv::imencode(extension, image, bytes, settings);
   return {bytes.begin(), bytes.end()};
+}
+
+std::string encoded_png(const cv::Mat& image) {
+  return encoded(image, ".png", {cv::IMWRITE_PNG_COMPRESSION, 3});
 }
 
 /// Decoded to 8 bits, grey or colour as stored.
@@ -67,12 +72,32 @@ Result<Image> parse_image(std::string_view bytes, const std::string& name) {
   return image;
 }
 
+Result<TransparentImage> parse_transparent_image(std::string_view bytes, const std::string& name) {
+  Result<Image> image = parse_image(bytes, name);
+  if (!image) return image.problems();
+  TransparentImage read{std::move(*image), transparent_pixels(bytes)};
+  if (!read.transparent.empty() &&
+      read.transparent.size() != read.image.rows() * static_cast<std::size_t>(read.image.width_px))
+    return Problem{{name}, "has a transparency that cannot be read"};
+  return read;
+}
+
 std::string png_bytes(const Image& image) {
-  return encoded(image, ".png", {cv::IMWRITE_PNG_COMPRESSION, 3});
+  return encoded_png(to_mat(image));
+}
+
+std::string png_bytes(const TransparentImage& image) {
+  cv::Mat with_alpha;
+  cv::cvtColor(to_mat(image.image), with_alpha,
+               image.image.channels == 1 ? cv::COLOR_GRAY2BGRA : cv::COLOR_BGR2BGRA);
+  for (std::size_t i = 0; i < image.transparent.size(); ++i) {
+    if (image.transparent[i] != 0) with_alpha.data[4 * i + 3] = 0;
+  }
+  return encoded_png(with_alpha);
 }
 
 std::string jpeg_bytes(const Image& image, int quality) {
-  return encoded(image, ".jpg", {cv::IMWRITE_JPEG_QUALITY, quality});
+  return encoded(to_mat(image), ".jpg", {cv::IMWRITE_JPEG_QUALITY, quality});
 }
 
 }  // namespace aisle

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
-#include "aisle/formats/images/image_file.hpp"
 #include "aisle/formats/images/portable_bitmap.hpp"
 #include "aisle/formats/images/portable_graymap.hpp"
 #include "aisle/formats/whole_file.hpp"
@@ -14,6 +14,8 @@ namespace aisle {
 namespace {
 
 constexpr int kSizeMax = 8192;
+constexpr int kNearlyWhite = 248;  ///< from here on it is paper, not a drawn line
+constexpr double kLightGreyShare_percent = 0.2;
 
 Image image_of(const PortableBitmap& bitmap) {
   Image image(bitmap.width, bitmap.height);
@@ -21,43 +23,106 @@ Image image_of(const PortableBitmap& bitmap) {
   return image;
 }
 
+/// The most frequent free grey that is not white, with a pixel that has it.
+struct LightGrey {
+  int value = 0;
+  std::size_t pixels = 0;
+  std::size_t first = 0;
+};
+
+bool is_solid(std::uint8_t grey, double solid_from_black) {
+  return (255 - grey) / 255.0 >= solid_from_black;
+}
+
+LightGrey light_grey(const TransparentImage& image, double solid_from_black) {
+  std::array<LightGrey, 256> greys{};
+  const std::vector<std::uint8_t>& pixels = image.image.bytes;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (!image.transparent.empty() && image.transparent[i] != 0) continue;
+    LightGrey& grey = greys[pixels[i]];
+    if (grey.pixels++ == 0) grey = {pixels[i], 1, i};
+  }
+  LightGrey most;
+  for (int value = 0; value < kNearlyWhite; ++value) {
+    const LightGrey& grey = greys[static_cast<std::size_t>(value)];
+    if (!is_solid(static_cast<std::uint8_t>(value), solid_from_black) && grey.pixels > most.pixels)
+      most = grey;
+  }
+  return most;
+}
+
+Problems warnings_of(const TransparentImage& image, const std::string& name, double solid_from_black) {
+  Problems warnings;
+  const auto width = static_cast<std::size_t>(image.image.width_px);
+  const double percent = 100.0 / static_cast<double>(image.image.bytes.size());
+  if (const auto seen_through = std::count(image.transparent.begin(), image.transparent.end(), 1)) {
+    warnings.push_back({{name},
+                        fmt::format("{:.3g} % of the pixels are transparent: they count as unknown, so solid",
+                                    percent * static_cast<double>(seen_through))});
+  }
+  const LightGrey grey = light_grey(image, solid_from_black);
+  if (percent * static_cast<double>(grey.pixels) >= kLightGreyShare_percent) {
+    warnings.push_back(
+        {{name},
+         fmt::format(
+             "{:.3g} % of the pixels have the light grey {}, the first at ({}, {}), and count as free; "
+             "--threshold {} makes them walls",
+             percent * static_cast<double>(grey.pixels), grey.value, grey.first % width, grey.first / width,
+             grey.value + 1)});
+  }
+  return warnings;
+}
+
 }  // namespace
 
-FloorPlan floor_plan(const Image& grey, double cell_m, const PlanThresholds& thresholds) {
-  FloorPlan plan(grey.width_px, grey.height_px, 0);
+FloorPlan floor_plan(const TransparentImage& grey, double cell_m, double solid_from_black) {
+  FloorPlan plan(grey.image.width_px, grey.image.height_px, 0);
   plan.cell_m = cell_m;
   for (int y = 0; y < plan.height; ++y) {
-    const std::uint8_t* row = grey.row(plan.height - 1 - y);
+    const std::size_t row = plan.index(0, plan.height - 1 - y);
     for (int x = 0; x < plan.width; ++x) {
-      const double black = (thresholds.negate ? row[x] : 255 - row[x]) / 255.0;
-      plan.solid[plan.index(x, y)] = black >= thresholds.free_below;
+      const std::size_t pixel = row + static_cast<std::size_t>(x);
+      const bool is_unseen = !grey.transparent.empty() && grey.transparent[pixel] != 0;
+      plan.solid[plan.index(x, y)] = is_unseen || is_solid(grey.image.bytes[pixel], solid_from_black);
     }
   }
   return plan;
 }
 
-Result<FloorPlan> parse_plan_image(std::string_view bytes, const std::string& name, double cell_m,
-                                   const PlanThresholds& thresholds) {
+Result<TransparentImage> parse_plan_pixels(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with("P1") || bytes.starts_with("P4")) {
     const auto bitmap = parse_pbm(bytes, name, kSizeMax);
     if (!bitmap) return bitmap.problems();
-    return floor_plan(image_of(*bitmap), cell_m, thresholds);
+    return TransparentImage{image_of(*bitmap), {}};
   }
-  const bool is_graymap = bytes.starts_with("P2") || bytes.starts_with("P5");
-  const auto image = is_graymap ? parse_pgm(bytes, name, kSizeMax) : parse_image(bytes, name);
-  if (!image) return image.problems();
-  if (std::max(image->width_px, image->height_px) > kSizeMax) {
+  if (bytes.starts_with("P2") || bytes.starts_with("P5")) {
+    auto graymap = parse_pgm(bytes, name, kSizeMax);
+    if (!graymap) return graymap.problems();
+    return TransparentImage{std::move(*graymap), {}};
+  }
+  auto image = parse_transparent_image(bytes, name);
+  if (image && std::max(image->image.width_px, image->image.height_px) > kSizeMax) {
     return Problem{{name},
-                   fmt::format("has {} x {} pixels; at most {} columns and rows are read", image->width_px,
-                               image->height_px, kSizeMax)};
+                   fmt::format("has {} x {} pixels; at most {} columns and rows are read",
+                               image->image.width_px, image->image.height_px, kSizeMax)};
   }
-  return floor_plan(to_grey(*image), cell_m, thresholds);
+  return image;
 }
 
-Result<FloorPlan> read_plan_image(const std::filesystem::path& path, double cell_m) {
+Result<PlanReading> parse_plan_image(std::string_view bytes, const std::string& name, double cell_m,
+                                     double solid_from_black) {
+  auto pixels = parse_plan_pixels(bytes, name);
+  if (!pixels) return pixels.problems();
+  pixels->image = to_grey(pixels->image);
+  return PlanReading{floor_plan(*pixels, cell_m, solid_from_black),
+                     warnings_of(*pixels, name, solid_from_black)};
+}
+
+Result<PlanReading> read_plan_image(const std::filesystem::path& path, double cell_m,
+                                    double solid_from_black) {
   const Result<std::string> bytes = read_whole_file(path, kPlanBytesMax);
   if (!bytes) return bytes.problems();
-  return parse_plan_image(*bytes, path.string(), cell_m);
+  return parse_plan_image(*bytes, path.string(), cell_m, solid_from_black);
 }
 
 }  // namespace aisle

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include "aisle/core/random.hpp"
 #include "aisle/formats/images/image_file.hpp"
@@ -22,6 +23,43 @@ TEST(ImageFile, PngKeepsGreyAndColourExactly) {
     ASSERT_TRUE(read.ok()) << to_string(read.problems());
     EXPECT_EQ(*read, image);
   }
+}
+
+/// A grey PNG of two pixels, 0 and 253, whose tRNS chunk makes 253 transparent: zlib level 0 written by hand.
+std::string grey_png_with_trns() {
+  const auto chunk = [](const std::string& typed) {
+    const auto number = [](std::uint32_t value) {
+      std::string bytes;
+      for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift);
+      return bytes;
+    };
+    const auto check =
+        crc32(0, reinterpret_cast<const Bytef*>(typed.data()), static_cast<uInt>(typed.size()));
+    return number(static_cast<std::uint32_t>(typed.size() - 4)) + typed +
+           number(static_cast<std::uint32_t>(check));
+  };
+  const std::string row("\0\0\xfd", 3);
+  std::string packed(64, '\0');
+  uLongf size = packed.size();
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(row.data()),
+           row.size());
+  packed.resize(size);
+  return "\x89PNG\r\n\x1a\n" + chunk(std::string("IHDR\0\0\0\2\0\0\0\1\x08\0\0\0\0", 17)) +
+         chunk(std::string("tRNS\0\xfd", 6)) + chunk("IDAT" + packed) + chunk("IEND");
+}
+
+TEST(ImageFile, TransparencyIsReadFromAlphaAndFromTrns) {
+  TransparentImage image{noise(2, 1, 3), {0, 1}};
+  const auto alpha = parse_transparent_image(png_bytes(image), "p.png");
+  ASSERT_TRUE(alpha.ok());
+  EXPECT_EQ(alpha->image, image.image);
+  EXPECT_EQ(alpha->transparent, image.transparent);
+  const auto trns = parse_transparent_image(grey_png_with_trns(), "p.png");
+  ASSERT_TRUE(trns.ok()) << to_string(trns.problems());
+  EXPECT_THAT(trns->image.bytes, testing::ElementsAre(0, 253));
+  EXPECT_THAT(trns->transparent, testing::ElementsAre(0, 1));
+  const auto opaque = parse_transparent_image(png_bytes(noise(2, 1, 1)), "p.png");
+  EXPECT_THAT(opaque->transparent, testing::IsEmpty());
 }
 
 TEST(ImageFile, JpegKeepsColoursInTheirOrder) {

@@ -38,21 +38,47 @@ TEST(PortableGraymap, WhatIsWrongIsNamedWithItsLine) {
 }
 
 TEST(PlanImage, TheFirstRowIsTheTopAndBlackIsSolid) {
-  const auto plan = parse_plan_image("P1\n2 2\n1 0\n0 0\n", "plan", 0.1);
-  ASSERT_TRUE(plan.ok());
-  EXPECT_TRUE(plan->is_solid(0, 1));
-  EXPECT_FALSE(plan->is_solid(0, 0));
-  EXPECT_FALSE(plan->is_solid(1, 1));
-  EXPECT_TRUE(plan->is_solid(2, 0)) << "outside";
-  EXPECT_NEAR(plan->centre(1, 0).x(), 0.15, 1e-12);
+  const auto read = parse_plan_image("P1\n2 2\n1 0\n0 0\n", "plan", 0.1);
+  ASSERT_TRUE(read.ok());
+  const FloorPlan& plan = read->plan;
+  EXPECT_TRUE(plan.is_solid(0, 1));
+  EXPECT_FALSE(plan.is_solid(0, 0));
+  EXPECT_FALSE(plan.is_solid(1, 1));
+  EXPECT_TRUE(plan.is_solid(2, 0)) << "outside";
+  EXPECT_NEAR(plan.centre(1, 0).x(), 0.15, 1e-12);
 }
 
 TEST(PlanImage, WhatIsUnknownIsSolid) {
-  const auto plan = parse_plan_image("P2\n3 1\n255\n0 205 254\n", "plan", 0.05);
-  ASSERT_TRUE(plan.ok());
-  EXPECT_TRUE(plan->is_solid(0, 0));
-  EXPECT_TRUE(plan->is_solid(1, 0));
-  EXPECT_FALSE(plan->is_solid(2, 0));
+  const auto read = parse_plan_image("P2\n3 1\n255\n0 205 254\n", "plan", 0.05);
+  ASSERT_TRUE(read.ok());
+  const FloorPlan& plan = read->plan;
+  EXPECT_TRUE(plan.is_solid(0, 0));
+  EXPECT_TRUE(plan.is_solid(1, 0));
+  EXPECT_FALSE(plan.is_solid(2, 0));
+}
+
+TEST(PlanImage, LightGreyWallsAreSaidAndFoundByAThreshold) {
+  const std::string drawn = "P2\n3 1\n255\n255 215 255\n";
+  const auto read = parse_plan_image(drawn, "plan", 0.05);
+  ASSERT_TRUE(read.ok());
+  EXPECT_FALSE(read->plan.is_solid(1, 0));
+  EXPECT_THAT(
+      to_string(read->warnings),
+      HasSubstr("plan: 33.3 % of the pixels have the light grey 215, the first at (1, 0), and count as "
+                "free; --threshold 216"));
+  const auto darker = parse_plan_image(drawn, "plan", 0.05, (256 - 216) / 255.0);
+  EXPECT_TRUE(darker->plan.is_solid(1, 0));
+  EXPECT_THAT(darker->warnings, testing::IsEmpty());
+}
+
+TEST(PlanImage, TransparentPixelsAreSolidAndSaid) {
+  TransparentImage image{Image(2, 1), {0, 1}};
+  image.image.bytes = {255, 255};
+  const auto read = parse_plan_image(png_bytes(image), "plan", 0.05);
+  ASSERT_TRUE(read.ok());
+  EXPECT_FALSE(read->plan.is_solid(0, 0));
+  EXPECT_TRUE(read->plan.is_solid(1, 0));
+  EXPECT_THAT(to_string(read->warnings), HasSubstr("50 % of the pixels are transparent"));
 }
 
 TEST(PlanImage, WhatIsNoImageIsAProblem) {

@@ -39,6 +39,9 @@ class ClearAreas {
     }
   }
 
+  /// On the free side of most of its walls.
+  bool is_inside(std::size_t area) const { return votes_m_[area] > 0; }
+
   std::size_t best() const {
     std::size_t best = 0;
     const auto rank = [&](std::size_t area) { return std::pair(votes_m_[area] > 0, cells_[area]); };
@@ -68,6 +71,23 @@ class ClearAreas {
   std::vector<double> votes_m_;
 };
 
+void count_shut_off(const ClearAreas& areas, std::size_t chosen, const ClearanceGrid& grid,
+                    DrivableArea& area) {
+  std::size_t largest = 0;
+  for (std::size_t other = 1; other < areas.count(); ++other) {
+    if (other == chosen || !areas.is_inside(other)) continue;
+    area.shut_off_cells += areas.cells(other);
+    if (largest == 0 || areas.cells(other) > areas.cells(largest)) largest = other;
+  }
+  if (largest == 0) return;
+  area.largest_shut_off_cells = areas.cells(largest);
+  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+    if (areas.label(cell) != largest) continue;
+    if (!area.shut_off_cell || grid.clearance_m(cell) > grid.clearance_m(*area.shut_off_cell))
+      area.shut_off_cell = cell;
+  }
+}
+
 }  // namespace
 
 DrivableArea drivable_area(const World& world, const ClearanceGrid& grid, double clearance_min_m) {
@@ -84,6 +104,7 @@ DrivableArea drivable_area(const World& world, const ClearanceGrid& grid, double
   if (chosen == 0) return area;
   area.cells = areas.cells(chosen);
   for (std::size_t cell = 0; cell < grid.size(); ++cell) area.contains[cell] = areas.label(cell) == chosen;
+  count_shut_off(areas, chosen, grid, area);
   return area;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "aisle/simulation/paths/clearance_grid.hpp"
@@ -12,6 +13,9 @@ namespace aisle {
 struct DrivableArea {
   std::vector<bool> contains;  ///< for each cell
   std::size_t cells = 0;
+  std::size_t shut_off_cells = 0;            ///< of the other areas on the free side of walls
+  std::size_t largest_shut_off_cells = 0;    ///< of the largest of these
+  std::optional<std::size_t> shut_off_cell;  ///< in the largest, far from walls
 };
 
 /// The area with that much clearance that contains the world's start; else the largest one on the free side

@@ -181,6 +181,12 @@ std::optional<RoundTrip> plan_round_trip(const World& world, const RoundTripPara
   const Straightener straightener(grid, clearance_min_m);
   RoundTrip run;
   run.drivable_m2 = static_cast<double>(area.cells) * square(grid.cell_m());
+  if (area.shut_off_cell) {
+    const auto all_cells = static_cast<double>(area.cells + area.shut_off_cells);
+    run.shut_off = {static_cast<double>(area.shut_off_cells) / all_cells,
+                    static_cast<double>(area.largest_shut_off_cells) * square(grid.cell_m()),
+                    grid.centre(*area.shut_off_cell)};
+  }
   run.tour = without_straight_points(TreeWalk(tree, straightener).walk(grid.centre(tree.root())));
   run.T_world_start = {run.tour[0].x(), run.tour[0].y(), 0};
   if (run.tour.size() > 1) run.T_world_start.theta = Segment2{run.tour[0], run.tour[1]}.heading();

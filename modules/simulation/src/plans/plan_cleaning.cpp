@@ -51,13 +51,14 @@ void fill(FloorPlan& plan, const CellAreas& areas, const std::vector<bool>& chos
   }
 }
 
-void remove_solid_specks(FloorPlan& plan, int side_max) {
+int remove_solid_specks(FloorPlan& plan, int side_max) {
   const CellAreas areas(plan, 1);
   std::vector<bool> specks(static_cast<std::size_t>(areas.count()), false);
   for (int label = 1; label < areas.count(); ++label) {
     specks[static_cast<std::size_t>(label)] = areas.side(label) <= side_max && !areas.reaches_border(label);
   }
   fill(plan, areas, specks, 0);
+  return static_cast<int>(std::count(specks.begin(), specks.end(), true));
 }
 
 /// Free areas that no square larger than the limit fits into: slits between the lines of a double wall.
@@ -109,11 +110,12 @@ void remove_outside(FloorPlan& plan) {
 
 }  // namespace
 
-void clean_plan(FloorPlan& plan, double speck_m) {
-  const int side_max = static_cast<int>(std::floor(speck_m / plan.cell_m + 1e-9));
-  remove_solid_specks(plan, side_max);
-  remove_free_slits(plan, side_max);
+int clean_plan(FloorPlan& plan, const PlanCleaningParams& params) {
+  const auto cells = [&](double side_m) { return static_cast<int>(std::floor(side_m / plan.cell_m + 1e-9)); };
+  const int specks = remove_solid_specks(plan, cells(params.speck_m));
+  remove_free_slits(plan, cells(params.slit_m));
   remove_outside(plan);
+  return specks;
 }
 
 }  // namespace aisle

@@ -148,7 +148,7 @@ TEST(PlanTracing, ADoubleWallStaysDouble) {
   FloorPlan plan = room(2, 2, 60, 40);
   fill(plan, 2, 20, 62, 21, 1);
   fill(plan, 2, 24, 62, 25, 1);
-  clean_plan(plan, 0.1);
+  clean_plan(plan, {.speck_m = 0.1});
   const auto walls = traced(plan);
   EXPECT_EQ(walls.size(), 12) << "two rooms and the space between the lines";
   EXPECT_EQ(agreement(plan, walls).all, 1);
@@ -185,16 +185,25 @@ TEST(PlanCleaning, SpecksGoAndSmallPiecesOfFurnitureStay) {
   FloorPlan plan = room(2, 2, 30, 30);
   fill(plan, 10, 10, 12, 12, 1);
   fill(plan, 20, 20, 23, 22, 1);
-  clean_plan(plan, 0.1);
+  clean_plan(plan, {.speck_m = 0.1});
   EXPECT_FALSE(plan.is_solid(10, 10));
   EXPECT_TRUE(plan.is_solid(20, 20));
+}
+
+TEST(PlanCleaning, APillarOfOneCellStaysUnlessSpecksAreRemoved) {
+  FloorPlan plan = room(2, 2, 30, 30);
+  fill(plan, 10, 10, 11, 11, 1);
+  EXPECT_EQ(clean_plan(plan, {}), 0);
+  EXPECT_TRUE(plan.is_solid(10, 10));
+  EXPECT_EQ(clean_plan(plan, {.speck_m = 0.05}), 1);
+  EXPECT_FALSE(plan.is_solid(10, 10));
 }
 
 TEST(PlanCleaning, SlitsBetweenTheLinesOfADoubleWallGo) {
   FloorPlan plan = room(2, 2, 30, 30);
   fill(plan, 2, 10, 32, 16, 1);
   fill(plan, 5, 12, 30, 14, 0);
-  clean_plan(plan, 0.1);
+  clean_plan(plan, {.speck_m = 0.1});
   EXPECT_TRUE(plan.is_solid(10, 13));
 }
 
@@ -202,7 +211,7 @@ TEST(PlanCleaning, TheOutsideGoesAndTheBuildingStays) {
   FloorPlan plan(60, 60, 0);
   fill(plan, 20, 20, 40, 40, 1);
   fill(plan, 22, 22, 38, 38, 0);
-  clean_plan(plan, 0.1);
+  clean_plan(plan, {.speck_m = 0.1});
   EXPECT_TRUE(plan.is_solid(5, 5));
   EXPECT_FALSE(plan.is_solid(30, 30));
 }
@@ -211,7 +220,7 @@ TEST(PlanCleaning, ACorridorThatIsCutOffByThePlansBorderStays) {
   FloorPlan plan(60, 60, 1);
   fill(plan, 0, 20, 60, 35, 0);
   fill(plan, 10, 40, 30, 55, 0);
-  clean_plan(plan, 0.1);
+  clean_plan(plan, {.speck_m = 0.1});
   EXPECT_FALSE(plan.is_solid(0, 25));
   EXPECT_EQ(traced(plan).size(), 8);
 }

@@ -7,6 +7,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
+#include "aisle/formats/images/map_server.hpp"
 #include "aisle/formats/logs/laser_recording.hpp"
 
 namespace aisle {
@@ -24,7 +25,8 @@ struct MapOptions {
   std::optional<std::filesystem::path> relations;  ///< file of known relative poses, for evaluation
   std::filesystem::path out;                       ///< output directory; empty: figures only
   bool force = false;
-  bool stages = false;  ///< add the figures of every stage
+  MapMode map_mode = MapMode::kTrinary;  ///< of the map of cells
+  bool stages = false;                   ///< add the figures of every stage
   ParameterSources parameters;
 };
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/core/result.hpp"
+#include "aisle/formats/images/plan_image.hpp"
 #include "aisle/simulation/buildings/maze_building.hpp"
 #include "aisle/simulation/paths/round_trip.hpp"
 #include "aisle/simulation/plans/plan_tracing.hpp"
@@ -16,6 +18,7 @@ enum class PlanKind {
   kAny,        ///< detected from the file's content and name
   kSegments,   ///< wall-segment text
   kImage,      ///< PBM, PGM, PNG: dark is wall
+  kDrawing,    ///< SVG, PDF, DXF: what is drawn is wall
   kMapServer,  ///< map_server YAML with its image
   kMaze,       ///< any of the maze formats: cells with walls on their sides
 };
@@ -24,9 +27,11 @@ enum class PlanKind {
 struct PlanOptions {
   std::filesystem::path plan;
   PlanKind from = PlanKind::kAny;
-  double resolution_m = 0.05;  ///< side of a pixel of a kImage
+  double resolution_m = 0.05;     ///< side of a pixel of a kImage, of a cell that a kDrawing is drawn in
+  std::optional<double> scale_m;  ///< length of the plan's unit: a pixel (goes before resolution_m), a point
+  double solid_from_black = kSolidFromBlack;  ///< of kImage and kDrawing
   PlanTracingParams tracing;
-  double speck_m = 0.1;  ///< what fits into a square of this side is removed, see clean_plan()
+  double speck_m = 0;  ///< what fits into a square of this side is removed, see clean_plan()
   MazeBuildingParams maze;
 };
 

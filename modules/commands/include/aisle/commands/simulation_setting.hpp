@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "aisle/core/result.hpp"
 #include "aisle/simulation/scenario.hpp"
@@ -18,6 +19,7 @@ struct SimulationSetting {
   World world;
   VehicleModel vehicle;
   Scenario scenario;
+  std::vector<std::string> warnings;  ///< of making the world from a plan
 };
 
 inline constexpr double kPlanPixel_m = 0.05;

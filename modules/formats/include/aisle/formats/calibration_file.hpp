@@ -1,6 +1,6 @@
 #pragma once
-/// Calibration files: OpenCV YAML and ROS camera_info YAML. docs/formats/calibration.md lists the keys that
-/// are read from each.
+/// Calibration files: OpenCV YAML, ROS camera_info YAML and kalibr's camchain. docs/formats/calibration.md
+/// lists the keys that are read from each.
 
 #include <filesystem>
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace aisle {
 
-/// Reads either format; all problems of the file are reported together, each with its line and key. A lens
-/// model that CameraModel cannot express (fisheye, rational, skew) is a problem. Keys of other programs are
-/// ignored.
+/// Reads any of these; all problems of the file are reported together, each with its line and key. What
+/// CameraModel cannot express (other lens models, thin prisms, skew) is a problem, and so is a file of
+/// several cameras. Keys of other programs are ignored.
 Result<CameraCalibration> read_calibration(const std::filesystem::path& path);
 
 /// The same from memory; `name` is the file name in problems.

@@ -1,9 +1,11 @@
 #pragma once
 /// Image files: PNG, JPEG, PPM, PGM, BMP and TIFF, as OpenCV reads them.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "aisle/core/image.hpp"
 #include "aisle/core/result.hpp"
@@ -18,8 +20,19 @@ Result<Image> read_image(const std::filesystem::path& path);
 /// The same from memory; `name` is the file name in problems.
 Result<Image> parse_image(std::string_view bytes, const std::string& name);
 
+/// An image and what shows through it.
+struct TransparentImage {
+  Image image;
+  std::vector<std::uint8_t> transparent;  ///< one a pixel, 1: not wholly opaque; empty: all are opaque
+};
+
+/// The same with its transparency: the alpha channel of a PNG, TIFF or WebP, or the tRNS colour of a PNG.
+Result<TransparentImage> parse_transparent_image(std::string_view bytes, const std::string& name);
+
 /// The image as a PNG file.
 std::string png_bytes(const Image& image);
+/// The same with an alpha channel: transparent pixels are wholly so.
+std::string png_bytes(const TransparentImage& image);
 
 /// The image as a JPEG file. @param quality  1 to 100
 std::string jpeg_bytes(const Image& image, int quality);

@@ -15,11 +15,19 @@ struct RoundTripParams {
   double height_m = 2;     ///< obstacles below it count
 };
 
+/// Floor on which a vehicle fits, but which it cannot reach.
+struct ShutOffFloor {
+  double share = 0;  ///< of all floor on which it fits
+  double largest_m2 = 0;
+  Vec2 p_world_largest = Vec2::Zero();  ///< a place in the largest part, far from walls
+};
+
 /// A tour through all reachable floor, out into every branch and back to the start.
 struct RoundTrip {
   Pose2 T_world_start;     ///< at the first waypoint, facing the second
   std::vector<Vec2> tour;  ///< from the start to the start; keeps half the width and the margin clear
   double drivable_m2 = 0;  ///< where the vehicle's centre can be
+  std::optional<ShutOffFloor> shut_off;
 };
 
 /// The tour through the largest area that such a vehicle can drive in: a tree of cheapest paths that prefer

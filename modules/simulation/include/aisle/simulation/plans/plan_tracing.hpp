@@ -15,11 +15,16 @@ struct PlanTracingParams {
       1;  ///< of a straight wall against the middles of the cells' sides that it stands for
 };
 
-/// Frees solid areas that fit into a square of this side, and fills free areas that no larger square fits
-/// into. Removes the outside of the building: free areas that reach the plan's border become
+struct PlanCleaningParams {
+  double speck_m = 0;  ///< solid areas that fit into a square of this side become free; pillars look the same
+  double slit_m = 0.1;  ///< free areas that no larger square fits into become solid
+};
+
+/// Removes specks, slits, and the outside of the building: free areas that reach the plan's border become
 /// solid if they take more than half of that border, or if an enclosed free area is larger than they are
 /// together.
-void clean_plan(FloorPlan& plan, double speck_m);
+/// @return how many specks there were
+int clean_plan(FloorPlan& plan, const PlanCleaningParams& params);
 
 /// The borders between free and solid cells as closed polygons, free on the left, in the frame `world`. Every
 /// polygon has as few corners as the tolerance allows; pieces that may be parallel to the axes of the plan,
