@@ -36,6 +36,11 @@ void add_map_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   verb->add_option("LOG", options->log,
                    "recording of a 2-D laser scanner: CARMEN log, MRPT rawlog, CSV, ROS bag");
+  verb->add_option("--scan", options->reading.scan_topic,
+                   "topic of the scans in a bag (default: chosen, and said)");
+  verb->add_option(
+      "--odometry", options->reading.odometry,
+      "topic of the odometry in a bag, or tf; none: by the scans alone (default: chosen, and said)");
   verb->add_option("--relations", options->relations,
                    "file of known relative poses, to measure the error against");
   add_choice<MapRules>(*verb, "--rules", options->rules,

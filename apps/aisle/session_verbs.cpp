@@ -14,11 +14,15 @@ constexpr const char* kSessionMeaning = "session directory";
 constexpr double kLongest_s = 1e9;
 
 void add_info_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("info", "show what a session contains: topics, rates, gaps, size");
+  CLI::App* verb = app.add_subcommand(
+      "info", "show what a session, a bag or a laser log contains: topics, rates, gaps, size");
   verb->fallthrough();
   auto options = std::make_shared<SessionInfoOptions>();
-  verb->add_option("SESSION", options->session, kSessionMeaning)->required();
-  verb->callback([options, &work] { work = [options](Console&) { return run_session_info(*options); }; });
+  verb->add_option("INPUT", options->input, "session directory, or a recording: ROS bag, laser log")
+      ->required();
+  verb->callback([options, &work] {
+    work = [options](Console& console) { return run_session_info(*options, console); };
+  });
 }
 
 void add_cut_verb(CLI::App& app, Work& work) {

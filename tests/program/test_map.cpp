@@ -6,6 +6,7 @@
 namespace aisle {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -117,6 +118,26 @@ TEST_F(Map, StagesBeginWithOdometryAndEndWithTheMap) {
   EXPECT_EQ(stages.front()["stage"], "odometry");
   EXPECT_EQ(stages.back()["translation_m"], figures["translation_m"]);
   EXPECT_LT(stages.back()["translation_m"]["mean"], stages.front()["translation_m"]["mean"]);
+}
+
+TEST_F(Map, TheOdometryCanBeLeftAside) {
+  const auto by_scans = run_aisle({"map", log(), "--odometry", "none", "--json"}).json()["figures"];
+  EXPECT_EQ(by_scans["trust"], "good");
+  EXPECT_THAT(by_scans["warnings"].dump(), HasSubstr("there is no odometry: mapped by the scans alone"));
+  EXPECT_NEAR(by_scans["path_m"].get<double>(), 100, 5);
+}
+
+TEST_F(Map, ALogHasNoTopicsToChoose) {
+  const ProgramRun run = run_aisle({"map", log(), "--scan", "/scan", "--odometry", "/odom", "--json"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("--scan is for bags"), HasSubstr("only none is for logs")));
+}
+
+TEST_F(Map, InfoTellsWhatALogHolds) {
+  const auto figures = run_aisle({"info", log(), "--json"}).json()["figures"];
+  EXPECT_EQ(figures["scans"], scan_lines(log_lines()).size());
+  EXPECT_GT(figures["odometry"], 0);
+  EXPECT_GT(figures["duration_s"], 0);
 }
 
 TEST_F(Map, ALogWithOneScanIsMapped) {

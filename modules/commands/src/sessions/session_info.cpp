@@ -8,6 +8,7 @@
 #include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/sessions/session_cycles.hpp"
 #include "aisle/formats/sessions/session_summary.hpp"
+#include "sessions/recording_info.hpp"
 
 namespace aisle {
 namespace {
@@ -40,15 +41,14 @@ nlohmann::ordered_json topic_json(const TopicSummary& topic) {
           {"gaps", gaps_json(topic.gaps)}};
 }
 
-/// What recorded the session; null if it was not aisle.
-nlohmann::ordered_json origin_json(const Result<SessionCycles>& cycles) {
-  if (!cycles) return nullptr;
-  const SessionOrigin& origin = cycles->origin();
+/// What recorded the session.
+nlohmann::ordered_json origin_json(const SessionCycles& cycles) {
+  const SessionOrigin& origin = cycles.origin();
   nlohmann::ordered_json json = {{"navigator", origin.navigator},
                                  {"parameters", origin.parameters},
                                  {"seed", origin.seed},
                                  {"simulated", origin.simulated},
-                                 {"vehicle", cycles->vehicle().name}};
+                                 {"vehicle", cycles.vehicle().name}};
   if (!origin.route.empty()) {
     json["route"] = origin.route;
     json["in_reverse"] = origin.in_reverse;
@@ -64,15 +64,14 @@ std::string imported_text(const SessionOrigin& origin, const VehicleDescription&
                                             : "the camera's lens and mount are not known");
 }
 
-std::string origin_text(const Result<SessionCycles>& cycles) {
-  if (!cycles) return "not recorded by aisle: it can be cut, but not replayed\n";
-  const SessionOrigin& origin = cycles->origin();
-  if (origin.navigator == kImportedNavigator) return imported_text(origin, cycles->vehicle());
+std::string origin_text(const SessionCycles& cycles) {
+  const SessionOrigin& origin = cycles.origin();
+  if (origin.navigator == kImportedNavigator) return imported_text(origin, cycles.vehicle());
   const std::string route = origin.route.empty() ? ""
                                                  : fmt::format(" along route '{}'{}", origin.route,
                                                                origin.in_reverse ? " in reverse" : "");
   return fmt::format("{}vehicle '{}' driven by navigator '{}'{}, seed {}\n",
-                     origin.simulated ? "simulated " : "", cycles->vehicle().name, origin.navigator, route,
+                     origin.simulated ? "simulated " : "", cycles.vehicle().name, origin.navigator, route,
                      origin.seed);
 }
 
@@ -93,6 +92,17 @@ std::string gap_lines(const TopicSummary& topic) {
   return text;
 }
 
+/// Whether a path names a folder of SQLite files with metadata: if it cannot be read, that is what is wrong.
+bool may_be_session(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return false;
+  for (std::filesystem::directory_iterator entry(path, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->path().extension() == ".mcap" || entry->path().extension() == ".bag") return false;
+  }
+  return true;
+}
+
 std::string summary_text(const SessionSummary& summary) {
   std::size_t name_width = 0;
   for (const TopicSummary& topic : summary.topics) name_width = std::max(name_width, topic.topic.name.size());
@@ -106,19 +116,20 @@ std::string summary_text(const SessionSummary& summary) {
 
 }  // namespace
 
-Result<Outcome> run_session_info(const SessionInfoOptions& options) {
-  const auto summary = summarise_session(options.session);
-  if (!summary) return summary.problems();
-  const auto cycles = SessionCycles::open(options.session);
+Result<Outcome> run_session_info(const SessionInfoOptions& options, Console& console) {
+  const auto summary = summarise_session(options.input);
+  if (!summary && may_be_session(options.input)) return summary.problems();
+  const auto cycles = SessionCycles::open(options.input);
+  if (!cycles) return recording_info(options.input, console);
 
   Outcome outcome{.verb = "info"};
   outcome.figures = {{"duration_s", summary->duration_s()},
                      {"messages", summary->messages},
                      {"file_bytes", summary->file_bytes},
-                     {"origin", origin_json(cycles)},
+                     {"origin", origin_json(*cycles)},
                      {"topics", nlohmann::ordered_json::array()}};
   for (const TopicSummary& topic : summary->topics) outcome.figures["topics"].push_back(topic_json(topic));
-  outcome.text = summary_text(*summary) + origin_text(cycles);
+  outcome.text = summary_text(*summary) + origin_text(*cycles);
   return outcome;
 }
 

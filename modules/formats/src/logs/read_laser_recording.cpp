@@ -51,11 +51,26 @@ Result<LaserRecording> parse_recording(std::string_view bytes, const fs::path& p
   return recording;
 }
 
+/// Only bags have topics; to leave the odometry aside is possible in any recording.
+Problems apply_choice(const RecordingOptions& options, const fs::path& path, LaserLog& log) {
+  Problems problems;
+  if (!options.scan_topic.empty()) problems.push_back({{path.string()}, "has no topics: --scan is for bags"});
+  if (options.odometry == "none") {
+    log.odometry.clear();
+    for (LaserScan& scan : log.scans) scan.odometry_known = 0;
+  } else if (!options.odometry.empty()) {
+    problems.push_back({{path.string()}, "has no topics: of --odometry, only none is for logs"});
+  }
+  return problems;
+}
+
 Result<LaserRecording> read_recording_file(const fs::path& path, const RecordingOptions& options) {
   const Result<UnpackedFile> file = read_if_recording(path);
   if (!file) return file.problems();
   Result<LaserRecording> recording = parse_recording(file->bytes, path, options);
-  if (recording && !file->damage.empty()) {
+  if (!recording) return recording;
+  if (Problems problems = apply_choice(options, path, recording->log); !problems.empty()) return problems;
+  if (!file->damage.empty()) {
     recording->warnings.push_back({{path.string()}, file->damage + "; what comes before is used"});
   }
   return recording;

@@ -17,7 +17,7 @@ constexpr double kStrengthCap_m = 4;    // longer walls are not stronger
 constexpr double kOrthogonalTrust = 3;  // weight against an oblique wall seen as often
 constexpr double kBin_m = 0.1;
 constexpr std::size_t kGapMaxBins = 3;  // unseen gaps up to this are closed
-constexpr int kHitsMin = 2;
+constexpr int kHitsMin = 2;  // on a path of one leg, one
 constexpr std::size_t kBeamStep = 4;  // every fourth beam is enough to detect a gap
 constexpr double kBeamReach_m = 12;
 constexpr double kBeamPiece_m = 3;
@@ -82,7 +82,7 @@ struct Stroke {
     for (std::size_t b = bin(*at_m - kVehicleHalf_m); b <= bin(*at_m + kVehicleHalf_m); ++b) driven[b] = true;
   }
   bool is_open(std::size_t b) const { return driven[b] || passes[b].count > hits[b].count; }
-  bool is_solid(std::size_t b) const { return hits[b].count >= kHitsMin && !is_open(b); }
+  bool is_solid(std::size_t b, int hits_min) const { return hits[b].count >= hits_min && !is_open(b); }
 };
 
 class Drawing {
@@ -119,17 +119,19 @@ class Drawing {
     for (const int s : near_) strokes_[static_cast<std::size_t>(s)].drive_through(from, to);
   }
 
-  WallMap walls(double length_min_m, int sightings_min) const {
+  /// @param legs  of the path: nothing can be seen on more
+  WallMap walls(double length_min_m, int sightings_min, int legs) {
+    hits_min_ = std::min(kHitsMin, legs);
     WallMap map;
     for (const Stroke& stroke : strokes_) {
       for (std::size_t first = 0; first < stroke.hits.size();) {
-        if (!stroke.is_solid(first)) {
+        if (!stroke.is_solid(first, hits_min_)) {
           ++first;
           continue;
         }
         const std::size_t last = end_of_run(stroke, first);
         const Wall wall = piece_of(stroke, first, last);
-        if (wall.segment.length() >= length_min_m && wall.sightings >= sightings_min)
+        if (wall.segment.length() >= length_min_m && wall.sightings >= std::min(sightings_min, legs))
           map.walls.push_back(wall);
         first = last + 1;
       }
@@ -190,11 +192,11 @@ class Drawing {
     host.offset_weight += wall.offset_weight;
   }
 
-  static std::size_t end_of_run(const Stroke& stroke, std::size_t first) {
+  std::size_t end_of_run(const Stroke& stroke, std::size_t first) const {
     std::size_t last = first;
     for (std::size_t b = first + 1; b < stroke.hits.size() && b - last <= kGapMaxBins && !stroke.is_open(b);
          ++b) {
-      if (stroke.is_solid(b)) last = b;
+      if (stroke.is_solid(b, hits_min_)) last = b;
     }
     return last;
   }
@@ -220,6 +222,7 @@ class Drawing {
   std::vector<std::size_t> stroke_of_wall_;
   CellIndex index_;
   std::vector<int> near_;
+  int hits_min_ = kHitsMin;
 };
 
 }  // namespace
@@ -232,7 +235,8 @@ WallMap draw_walls(const std::vector<WallEstimate>& walls, std::span<const WallS
     drawing.add_beams(scans[i]);
     if (i > 0) drawing.add_drive(scans[i - 1].T_map_laser.position(), scans[i].T_map_laser.position());
   }
-  return drawing.walls(length_min_m, sightings_min);
+  const int legs = scans.empty() ? 1 : leg_at(scans.back().path_m) + 1;
+  return drawing.walls(length_min_m, sightings_min, legs);
 }
 
 }  // namespace aisle

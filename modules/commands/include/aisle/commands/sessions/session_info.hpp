@@ -7,10 +7,11 @@
 namespace aisle {
 
 struct SessionInfoOptions {
-  std::filesystem::path session;
+  std::filesystem::path input;  ///< a session, a bag or a laser log
 };
 
-/// `aisle info SESSION`: what a session contains. Reads any ROS 2 bag in the SQLite layout.
-Result<Outcome> run_session_info(const SessionInfoOptions& options);
+/// `aisle info INPUT`: what a session contains; of a recording that aisle did not make, what it could serve
+/// for.
+Result<Outcome> run_session_info(const SessionInfoOptions& options, Console& console);
 
 }  // namespace aisle
