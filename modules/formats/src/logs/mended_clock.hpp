@@ -23,7 +23,8 @@ struct ClockRepair {
 ///
 /// Where a stamp steps back, jumps by more than a minute or stands still for long, the usual (median) step is
 /// taken, or the time that the vehicle plausibly took for its motion since then if that is longer, and the
-/// whole clock is shifted, for scans and odometry alike. Stamps that are rounded (long runs of equal ones,
+/// whole clock is shifted, for scans and odometry alike. If most steps make no sense, all times follow the
+/// motion, in file order. Stamps that are rounded (long runs of equal ones,
 /// then a plausible step) are spread evenly over each run.
 /// @param log  in: stamp_s of the scans, time_s of the odometry are as recorded, lines are set;
 ///             out: time_s of both are on the mended clock

@@ -84,6 +84,16 @@ TEST(MendedClock, OfAStoppedClockTheTimesFollowTheMotion) {
   }
 }
 
+TEST(MendedClock, OfAClockThatMostlyMakesNoSenseTheTimesFollowTheMotion) {
+  LaserLog log = log_along_x({7, 4e9, 4e9, 4e9, -2, 4e9}, 1);
+  const ClockRepair repair = mend_clock(log);
+  EXPECT_TRUE(repair.by_motion);
+  for (std::size_t i = 0; i < log.scans.size(); ++i) {
+    EXPECT_DOUBLE_EQ(log.scans[i].time_s, 7 + 2.0 * static_cast<double>(i));
+    EXPECT_EQ(log.scans[i].time_s, log.odometry[i].time_s);
+  }
+}
+
 TEST(MendedClock, ALongWayAtABrokenPlaceTakesItsTime) {
   LaserLog log = log_along_x({7, 7.5, 8, 2, 2.5}, 0.1);
   for (std::size_t i = 3; i < 5; ++i) log.odometry[i].T_odom_vehicle.x += 3;

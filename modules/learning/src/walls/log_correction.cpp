@@ -76,8 +76,8 @@ class LogCorrection {
         if (open_.mounting) correct_mounting();
       } else {
         warn(0, fmt::format(
-                    "the turns by the odometry and by the scans have little in common (correlation {:.2f}); "
-                    "the map cannot be trusted",
+                    "the turns by the odometry and by the scans have little in common (correlation {:.2f}): "
+                    "one of the two is wrong",
                     agreement_.correlation));
       }
     }
