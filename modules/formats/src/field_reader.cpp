@@ -57,6 +57,12 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+std::string_view trimmed(std::string_view text, std::string_view around) {
+  const std::size_t first = text.find_first_not_of(around);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(around) - first + 1);
+}
+
 std::string printable(std::string_view field) {
   std::string text(field.substr(0, 24));
   for (char& c : text) {

@@ -15,6 +15,12 @@ std::optional<double> parse_number(std::string_view text);
 /// Takes the first line off `text`, without its line end.
 std::string_view take_line(std::string_view& text);
 
+/// Spreadsheets begin a text with it.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+/// The text without these characters around it.
+std::string_view trimmed(std::string_view text, std::string_view around = " \t\r");
+
 /// The field as it may be shown to people: short and printable.
 std::string printable(std::string_view field);
 

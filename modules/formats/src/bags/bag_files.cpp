@@ -4,10 +4,10 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "aisle/formats/whole_file.hpp"
+#include "natural_order.hpp"
 #include "sessions/session_files.hpp"
 
 namespace aisle {
@@ -16,19 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kFilesMax = 100'000;
-
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// Takes the number at the front of a text, without leading zeros.
-std::string_view take_number(std::string_view& text) {
-  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
-  std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
-  text.remove_prefix(number.size());
-  while (number.size() > 1 && number.front() == '0') number.remove_prefix(1);
-  return number;
-}
 
 struct BagMetadata {
   std::string compression;
@@ -75,7 +62,7 @@ Result<std::vector<fs::path>> bag_files_in(const fs::path& folder) {
   }
   if (error) return Problem{{folder.string()}, "cannot be read: " + error.message()};
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return natural_less(a.filename().string(), b.filename().string());
+    return is_before_naturally(a.filename().string(), b.filename().string());
   });
   // A file that lies there packed and unpacked is one.
   std::erase_if(files, [&](const fs::path& file) {
@@ -103,21 +90,6 @@ Problems take_listed(const BagMetadata& metadata, const fs::path& folder, BagFil
 }
 
 }  // namespace
-
-bool natural_less(std::string_view a, std::string_view b) {
-  while (!a.empty() && !b.empty()) {
-    if (is_digit(a.front()) && is_digit(b.front())) {
-      const std::string_view m = take_number(a), n = take_number(b);
-      if (m != n) return m.size() != n.size() ? m.size() < n.size() : m < n;
-    } else if (a.front() != b.front()) {
-      return a.front() < b.front();
-    } else {
-      a.remove_prefix(1);
-      b.remove_prefix(1);
-    }
-  }
-  return a.size() < b.size();
-}
 
 bool has_bag_name(const fs::path& path) {
   const fs::path name = path.extension() == ".zstd" ? path.stem() : path.filename();

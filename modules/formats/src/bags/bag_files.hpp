@@ -22,7 +22,4 @@ Result<BagFiles> bag_files(const std::filesystem::path& path);
 /// Whether a name ends as those of bags do: .db3, .mcap, .bag, .bag.active, each perhaps followed by .zstd.
 bool has_bag_name(const std::filesystem::path& path);
 
-/// Sorts digits by their number: "bag_2" before "bag_10".
-bool natural_less(std::string_view a, std::string_view b);
-
 }  // namespace aisle

@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kCircle_rad = 360 * kDegree;
+constexpr double kFullCircle_rad = 360 * kDegree;
 
 /// Whether an angle is a whole number of steps of 1/120 degree, as scanners' steps are: 1, 0.5, 0.25, 1/3
 /// degree.
@@ -30,7 +30,7 @@ double angle_step(const ros::LaserScan& message, double steps, ScanDoubts& doubt
     return by_view;
   };
   const bool is_slight = std::abs(by_view / increment - 1) < 0.03;
-  if (increment == 0 || std::abs(increment) * steps > 1.01 * kCircle_rad) return take_view();
+  if (increment == 0 || std::abs(increment) * steps > 1.01 * kFullCircle_rad) return take_view();
   if (is_slight && !is_round(increment) && (is_round(by_view) || disagreement > 2)) return take_view();
   ++doubts.angles_by_step;
   return increment;
@@ -63,7 +63,7 @@ std::optional<BagScan> bag_scan(const ros::LaserScan& message, const MessageTime
     return std::nullopt;
   const double steps = static_cast<double>(message.ranges.size() - 1);
   const double step_rad = angle_step(message, steps, doubts, time.number);
-  if (step_rad == 0 || std::abs(step_rad) * steps > 2 * kCircle_rad) return std::nullopt;
+  if (step_rad == 0 || std::abs(step_rad) * steps > 2 * kFullCircle_rad) return std::nullopt;
   BagScan scan;
   scan.time = time;
   scan.frame = frame_name(message.header.frame_id);

@@ -30,7 +30,7 @@ class PackedStore : public BagStore {
   void rewind() override { store_->rewind(); }
   Problems warnings() const override {
     Problems warnings = store_->warnings();
-    for (Problem& warning : warnings) warning.where.file = path_.string();
+    for (Problem& warning : warnings) warning.where.file = shown_path().string();
     return warnings;
   }
 

@@ -67,10 +67,13 @@ class BagStore {
   /// Each sentence is kept once.
   void warn(std::string what);
 
-  const std::filesystem::path path_;  ///< as the user knows it
-  TopicTable& topics_;
+  const std::filesystem::path& shown_path() const { return path_; }  ///< as the user knows it
+  TopicTable& topics() { return topics_; }
+  const TopicTable& topics() const { return topics_; }
 
  private:
+  std::filesystem::path path_;
+  TopicTable& topics_;
   Problems warnings_;
 };
 

@@ -82,7 +82,7 @@ RecordStore::Step McapStore::read_record(ByteStream& bytes, std::uint64_t left, 
   const auto opcode = static_cast<std::uint8_t>(head[0]);
   const auto size = number_at<std::uint64_t>(head, 1);
   if (opcode == 0) return Step::kDamaged;
-  if (opcode == kChunk && &bytes == &file_) return read_chunk(bytes, left);
+  if (opcode == kChunk && &bytes == &file()) return read_chunk(bytes, left);
   if (size > left - kRecordHead_bytes) return Step::kCut;
   if (opcode == kMessage) return read_message(bytes, size, message);
   if (opcode == kDataEnd || opcode == kFooter) {
@@ -147,23 +147,23 @@ void McapStore::read_channel(std::string_view record) {
     return warn(
         fmt::format("messages of {} are serialised as '{}'; only cdr and ros1 are read", topic, format));
   }
-  channels_[id] = topics_.index_of({.name = std::string(topic),
-                                    .type = types_[schema],
-                                    .latched = is_latched_channel(map),
-                                    .encoding = *encoding});
+  channels_[id] = topics().index_of({.name = std::string(topic),
+                                     .type = types_[schema],
+                                     .latched = is_latched_channel(map),
+                                     .encoding = *encoding});
 }
 
 std::optional<BagStore::Survey> McapStore::summary() {
   const std::size_t end_bytes = kRecordHead_bytes + kFooter_bytes + kMagic.size();
-  if (file_.size() < kMagic.size() + end_bytes) return std::nullopt;
-  file_.seek(file_.size() - end_bytes);
-  const std::string_view end = file_.peek(end_bytes);
+  if (file().size() < kMagic.size() + end_bytes) return std::nullopt;
+  file().seek(file().size() - end_bytes);
+  const std::string_view end = file().peek(end_bytes);
   if (end.size() < end_bytes || end[0] != kFooter || !end.ends_with(kMagic)) return std::nullopt;
   const auto begin = number_at<std::uint64_t>(end, kRecordHead_bytes);
-  const std::uint64_t stop = file_.size() - end_bytes;
+  const std::uint64_t stop = file().size() - end_bytes;
   if (begin < kMagic.size() || begin >= stop || stop - begin > kSummaryMax_bytes) return std::nullopt;
-  file_.seek(begin);
-  McapFields records(file_.peek(static_cast<std::size_t>(stop - begin)));
+  file().seek(begin);
+  McapFields records(file().peek(static_cast<std::size_t>(stop - begin)));
   std::string_view statistics;
   while (!records.rest().empty()) {
     const auto opcode = records.number<std::uint8_t>();
@@ -193,7 +193,7 @@ std::optional<BagStore::Survey> McapStore::summary() {
     if (channel->second != kUnread) counts.emplace_back(channel->second, messages);
   }
   if (fields.is_short() || counted != survey.messages) return std::nullopt;
-  for (const auto& [topic, messages] : counts) topics_.count(topic, messages);
+  for (const auto& [topic, messages] : counts) topics().count(topic, messages);
   return survey;
 }
 

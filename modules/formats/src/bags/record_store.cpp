@@ -29,7 +29,7 @@ Result<BagStore::Survey> RecordStore::survey() {
   StoredMessage message;
   while (advance(message)) {
     if (!survey.first) survey.first = message.log_stamp;
-    topics_.count(message.topic, 1);
+    topics().count(message.topic, 1);
     ++survey.messages;
   }
   surveying_ = false;
@@ -40,7 +40,7 @@ Result<BagStore::Survey> RecordStore::survey() {
 Result<std::optional<StoredMessage>> RecordStore::next() {
   StoredMessage message;
   while (advance(message)) {
-    if (topics_.is_wanted(message.topic)) return std::optional(message);
+    if (topics().is_wanted(message.topic)) return std::optional(message);
   }
   return std::optional<StoredMessage>();
 }
@@ -116,7 +116,7 @@ RecordStore::Step RecordStore::take_message(ByteStream& bytes, std::size_t topic
   message.topic = topic;
   message.log_stamp = stamp;
   message.bytes = {};
-  if (!surveying_ && topics_.is_wanted(topic)) {
+  if (!surveying_ && topics().is_wanted(topic)) {
     if (size > kUnpackedMax_bytes) return Step::kDamaged;
     message.bytes = bytes.peek(static_cast<std::size_t>(size));
     if (message.bytes.size() < size) return Step::kCut;

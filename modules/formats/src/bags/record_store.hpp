@@ -36,7 +36,8 @@ class RecordStore : public BagStore {
   Step take_message(ByteStream& bytes, std::size_t topic, ros::Stamp_ns stamp, std::uint64_t size,
                     StoredMessage& message);
 
-  ByteStream file_;
+  ByteStream& file() { return file_; }
+  const ByteStream& file() const { return file_; }
 
  private:
   /// @return whether there is another message, wanted or not
@@ -44,6 +45,7 @@ class RecordStore : public BagStore {
   Step step(StoredMessage& message);
   Step step_in_file(StoredMessage& message);
 
+  ByteStream file_;
   std::uint64_t begin_;  ///< of the first record
   Buffer buffer_;        ///< of the unpacked chunk
   ByteStream chunk_;     ///< what is left of it

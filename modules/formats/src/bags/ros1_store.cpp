@@ -74,7 +74,7 @@ RecordStore::Step Ros1Store::read_record(ByteStream& bytes, std::uint64_t left, 
   Header header;
   header.read(head.substr(4, header_bytes));
   const auto size = number_at<std::uint32_t>(head, 4 + header_bytes);
-  if (header.opcode == kChunkRecord && &bytes == &file_) {
+  if (header.opcode == kChunkRecord && &bytes == &file()) {
     bytes.skip(head_bytes);
     return enter_chunk(header.compression, size, header.unpacked_bytes);
   }
@@ -99,10 +99,10 @@ void Ros1Store::read_connection(const Header& header, std::string_view data) {
   Header description;
   description.read(data);
   if (description.type.empty()) return;
-  connections_[header.connection] = topics_.index_of({.name = header.topic,
-                                                      .type = with_msg(description.type),
-                                                      .latched = description.latched,
-                                                      .encoding = BagEncoding::kRos1});
+  connections_[header.connection] = topics().index_of({.name = header.topic,
+                                                       .type = with_msg(description.type),
+                                                       .latched = description.latched,
+                                                       .encoding = BagEncoding::kRos1});
 }
 
 }  // namespace aisle

@@ -16,7 +16,7 @@ class Ros1Store : public RecordStore {
 
  protected:
   Step read_record(ByteStream& bytes, std::uint64_t left, StoredMessage& message) override;
-  bool is_closed() const override { return index_begin_ > 0 && index_begin_ <= file_.size(); }
+  bool is_closed() const override { return index_begin_ > 0 && index_begin_ <= file().size(); }
 
  private:
   struct Header;

@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kLevel = 0.98;  ///< cosine of about 11 degrees
+constexpr double kLevelMount = 0.98;  ///< cosine of about 11 degrees
 
 }  // namespace
 
@@ -45,7 +45,7 @@ bool mount_scanner(const TransformTree& transforms, const std::string& base, std
     for (BagScan& scan : scans) turn_over(scan);
     warn("the scanner hangs upside down; its scans are turned over");
   }
-  if (std::abs(up) < kLevel) warn("the scanner is tilted; its scans are taken as if it were level");
+  if (std::abs(up) < kLevelMount) warn("the scanner is tilted; its scans are taken as if it were level");
   return true;
 }
 

@@ -44,19 +44,19 @@ Result<std::unique_ptr<BagStore>> SqliteStore::open(const fs::path& path, TopicT
 }
 
 Problems SqliteStore::open_database() {
-  const auto journals = journals_of(path_);
-  fs::path path = path_;
+  const auto journals = journals_of(shown_path());
+  fs::path path = shown_path();
   if (!journals.empty()) {
-    auto copy = copied_with(path_, journals);
+    auto copy = copied_with(shown_path(), journals);
     if (!copy) return copy.problems();
     copy_ = std::move(*copy);
     path = copy_->path() / "bag.db3";
   }
   auto database = copy_ ? sqlite::Database::open(path) : sqlite::Database::open_unchanged(path);
-  if (!database) return {{{path_.string()}, database.problems().front().what}};
+  if (!database) return {{{shown_path().string()}, database.problems().front().what}};
   database_ = std::make_unique<sqlite::Database>(std::move(*database));
   if (copy_) return {};
-  auto pages = SqlitePages::open(path_);
+  auto pages = SqlitePages::open(shown_path());
   if (!pages) return pages.problems();
   if (pages->bytes() >= pages->stated_bytes()) return {};
   pages_ = std::move(*pages);
@@ -68,11 +68,11 @@ Problems SqliteStore::open_database() {
 
 Problems SqliteStore::read_topics() {
   auto tables = SessionTables::read(*database_);
-  if (!tables) return {{{path_.string()}, tables.problems().front().what}};
+  if (!tables) return {{{shown_path().string()}, tables.problems().front().what}};
   tables_ = std::move(*tables);
   for (const SessionTopic& topic : tables_->topics()) {
     topic_of_.push_back(
-        topics_.index_of({.name = topic.name, .type = with_msg(topic.type), .latched = topic.latched}));
+        topics().index_of({.name = topic.name, .type = with_msg(topic.type), .latched = topic.latched}));
   }
   return {};
 }
@@ -83,7 +83,7 @@ Result<BagStore::Survey> SqliteStore::survey() {
   while (const auto row = next_row()) {
     if (!row->topic) continue;
     if (!survey.first) survey.first = row->stamp;
-    topics_.count(*row->topic, 1);
+    topics().count(*row->topic, 1);
     ++survey.messages;
   }
   rewind();
@@ -102,7 +102,7 @@ void SqliteStore::begin(bool with_data) {
   // The data of other topics is not even read from the disk.
   std::string wanted;
   for (std::size_t i = 0; with_data && i < topic_of_.size(); ++i) {
-    if (topics_.is_wanted(topic_of_[i]))
+    if (topics().is_wanted(topic_of_[i]))
       wanted += fmt::format("{}{}", wanted.empty() ? "" : ",", tables_->id(i));
   }
   const std::string sql = fmt::format(
@@ -141,7 +141,7 @@ std::string_view SqliteStore::data() {
 Result<std::optional<StoredMessage>> SqliteStore::next() {
   if (!has_begun_) begin(true);
   while (const auto row = next_row()) {
-    if (row->topic && topics_.is_wanted(*row->topic))
+    if (row->topic && topics().is_wanted(*row->topic))
       return std::optional(StoredMessage{*row->topic, row->stamp, number_, data()});
   }
   return std::optional<StoredMessage>();

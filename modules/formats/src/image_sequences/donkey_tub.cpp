@@ -11,8 +11,8 @@
 #include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
 #include "image_sequences/image_list.hpp"
-#include "image_sequences/natural_order.hpp"
 #include "image_sequences/stamp_order.hpp"
+#include "natural_order.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;

@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write it
 constexpr double kDriveMax_m = 1e6;
 constexpr double kAngleMax_deg = 1e6;
 constexpr double kSteeringMax_deg = 90;
@@ -27,18 +26,11 @@ constexpr double kSpeedMax_mps = 100;
 
 using Cells = std::vector<std::string_view>;
 
-std::string_view trimmed(std::string_view cell) {
-  const std::string_view around = " \t\r\"";
-  const std::size_t first = cell.find_first_not_of(around);
-  if (first == std::string_view::npos) return {};
-  return cell.substr(first, cell.find_last_not_of(around) - first + 1);
-}
-
 Cells cells_of(std::string_view line) {
   Cells cells;
   while (true) {
     const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
+    cells.push_back(trimmed(line.substr(0, comma), " \t\r\""));
     if (comma == std::string_view::npos) return cells;
     line.remove_prefix(comma + 1);
   }

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "aisle/formats/whole_file.hpp"
-#include "image_sequences/natural_order.hpp"
 #include "image_sequences/stamp_order.hpp"
+#include "natural_order.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;

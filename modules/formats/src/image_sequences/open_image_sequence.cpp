@@ -4,7 +4,7 @@
 #include "aisle/formats/image_sequences/image_sequence.hpp"
 #include "image_sequences/donkey_tub.hpp"
 #include "image_sequences/image_folder.hpp"
-#include "image_sequences/natural_order.hpp"
+#include "natural_order.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;

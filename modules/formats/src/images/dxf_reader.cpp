@@ -42,12 +42,6 @@ struct Entity {
   Vec2 point(int code) const { return {number(code), number(code + 10)}; }
 };
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 /// Where the entities of a block or of the drawing stand.
 struct Placement {
   Mat2 turn = Mat2::Identity();

@@ -36,7 +36,8 @@ std::optional<double> known_step_deg(std::size_t beams) {
 
 /// With an even number, the last beam to the left is missing.
 ScanBeams symmetric_beams(std::size_t beams, double step_deg) {
-  return {-static_cast<double>(beams / 2) * step_deg * kDegree, step_deg * kDegree};
+  const std::size_t to_the_right = beams / 2;
+  return {-static_cast<double>(to_the_right) * step_deg * kDegree, step_deg * kDegree};
 }
 
 /// Over a field of view, one beam at each end of it or, with an even number, none at the last.

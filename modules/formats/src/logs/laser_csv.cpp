@@ -22,8 +22,6 @@
 namespace aisle {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
 /// What comments say of the scanner.
 struct CsvFacts {
   std::optional<double> first_angle_rad, angle_step_rad, range_max_m;

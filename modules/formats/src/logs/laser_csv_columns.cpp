@@ -64,12 +64,7 @@ std::optional<std::size_t> reading_number(std::string_view name) {
   return static_cast<std::size_t>(*number);
 }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kAround = " \t\r\"'";
-  const std::size_t first = text.find_first_not_of(kAround);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kAround) - first + 1);
-}
+constexpr std::string_view kAroundCell = " \t\r\"'";
 
 char separator_of(std::string_view header) {
   for (const char separator : {',', ';', '\t'}) {
@@ -162,7 +157,7 @@ void split_csv_line(std::string_view line, char separator, std::vector<std::stri
   cells.clear();
   while (true) {
     const std::size_t end = line.find(separator);
-    cells.push_back(trimmed(line.substr(0, end)));
+    cells.push_back(trimmed(line.substr(0, end), kAroundCell));
     if (end == std::string_view::npos) return;
     line.remove_prefix(end + 1);
   }
@@ -184,8 +179,8 @@ std::optional<CsvFact> read_csv_fact(std::string_view comment) {
                                                   {"mount_heading", CsvDimension::kAngle}}};
   const std::size_t colon = comment.find_first_of(":=");
   if (colon == std::string_view::npos) return std::nullopt;
-  const std::string_view name = trimmed(comment.substr(0, colon));
-  const std::string_view text = trimmed(comment.substr(colon + 1));
+  const std::string_view name = trimmed(comment.substr(0, colon), kAroundCell);
+  const std::string_view text = trimmed(comment.substr(colon + 1), kAroundCell);
   for (const CsvQuantity& quantity : kFacts) {
     if (!name.starts_with(quantity.name) || name.find(' ') != std::string_view::npos) continue;
     const auto column = column_of(name, quantity);
@@ -202,7 +197,7 @@ std::optional<CsvFact> read_csv_fact(std::string_view comment) {
 bool begins_laser_csv(std::string_view head) {
   while (!head.empty()) {
     const std::string_view line = take_line(head);
-    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    if (trimmed(line, kAroundCell).empty() || trimmed(line, kAroundCell).front() == '#') continue;
     return line.find("time_") != std::string_view::npos && line.find("range_") != std::string_view::npos;
   }
   return false;

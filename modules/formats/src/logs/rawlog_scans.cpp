@@ -40,7 +40,7 @@ bool is_usable(const MrptScan& scan) {
 
 }  // namespace
 
-void RawlogScans::add(MrptScan scan, long object) {
+void RawlogScans::add(const MrptScan& scan, long object) {
   if (!is_usable(scan)) return unusable_.add(object);
   if (std::abs(scan.T_vehicle_laser.up_z) < kLevel) return tilted_.add(object);
   const std::size_t laser = scanner_of(scan);

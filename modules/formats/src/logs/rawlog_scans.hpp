@@ -16,7 +16,7 @@ class RawlogScans {
  public:
   explicit RawlogScans(LaserLog& log) : log_(log) { log_.lasers.clear(); }
 
-  void add(MrptScan scan, long object);
+  void add(const MrptScan& scan, long object);
   /// What follows from all scans together: ranges, mountings, and what looks wrong.
   void finish(const RecordingOptions& options, const std::string& name, LaserRecording& recording);
 

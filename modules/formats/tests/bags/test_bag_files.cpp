@@ -8,13 +8,6 @@
 namespace aisle {
 namespace {
 
-TEST(BagFiles, NamesAreSortedByTheirNumbers) {
-  EXPECT_TRUE(natural_less("bag_2.db3", "bag_10.db3"));
-  EXPECT_TRUE(natural_less("bag_02.db3", "bag_10.db3"));
-  EXPECT_FALSE(natural_less("bag_10.db3", "bag_2.db3"));
-  EXPECT_TRUE(natural_less("a", "ab"));
-}
-
 TEST(BagFiles, MetadataThatIsNoYamlIsSaidAndTheFilesAreTaken) {
   const SessionPlace place;
   write_file(place / "bag/x_0.mcap", "");

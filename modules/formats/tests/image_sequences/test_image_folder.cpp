@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "aisle/core/angle.hpp"
-#include "image_sequences/natural_order.hpp"
 #include "image_sequences/recordings.hpp"
+#include "natural_order.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {

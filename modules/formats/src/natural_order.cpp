@@ -1,4 +1,4 @@
-#include "image_sequences/natural_order.hpp"
+#include "natural_order.hpp"
 
 #include <algorithm>
 #include <system_error>
