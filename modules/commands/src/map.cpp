@@ -21,7 +21,6 @@
 #include "aisle/learning/walls/relation_error.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "aisle/report/occupancy.hpp"
-#include "learned_files.hpp"
 
 namespace aisle {
 namespace {
