@@ -124,7 +124,8 @@ struct SettledLog {
 Result<SettledLog> read_and_settle(const MapOptions& options, Console& console) {
   auto read = read_laser_recording(options.log, options.reading);
   if (!read) return read.problems();
-  SettledLog settled{std::move(read->log), std::move(read->warnings), {options.odometry_delay_s, true}};
+  SettledLog settled{
+      std::move(read->log), std::move(read->warnings), {.odometry_delay_s = options.odometry_delay_s}};
   if (options.rules == MapRules::kPublished) {
     if (settled.log.odometry.empty())
       return Problem{{options.log.string()}, "has no odometry; the published rules cannot do without"};
@@ -135,7 +136,8 @@ Result<SettledLog> read_and_settle(const MapOptions& options, Console& console) 
   if (!findings) return at_file(findings.problems(), options.log.string());
   for (Problem& warning : at_file(findings->warnings, options.log.string()))
     settled.warnings.push_back(std::move(warning));
-  if (findings->odometry_by_scans) settled.known = {0.0, true};
+  settled.known.guessed_delay_s = findings->odometry_delay_s;
+  if (findings->odometry_by_scans) settled.known = {.odometry_delay_s = 0.0};
   return settled;
 }
 

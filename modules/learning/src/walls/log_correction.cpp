@@ -82,7 +82,8 @@ class LogCorrection {
       }
     }
     for (Problem& leap : correct_leaps(log_)) warnings_.push_back(std::move(leap));
-    return LogFindings{std::move(warnings_), false};
+    const double delay_s = agreement_.correlation > kInCommon ? agreement_.delay_s : 0;
+    return LogFindings{std::move(warnings_), delay_s, false};
   }
 
  private:
@@ -135,7 +136,7 @@ class LogCorrection {
                "readings run "
                "clockwise cannot be seen, and along bare corridors the distance is a guess");
     log_.odometry = std::move(odometry);
-    return LogFindings{std::move(warnings_), true};
+    return LogFindings{std::move(warnings_), 0, true};
   }
 
   void correct_direction() {

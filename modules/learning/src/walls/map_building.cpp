@@ -33,7 +33,7 @@ class MapBuilder {
         known_(known),
         T_vehicle_laser_(log.laser().T_vehicle_laser),
         odometry_(log.odometry),
-        delay_(odometry_, log.scan_period_s()),
+        delay_(odometry_, log.scan_period_s(), known.guessed_delay_s),
         segmenter_(scan_geometry(log.laser()), params.segments),
         mapping_(params) {}
 

@@ -17,8 +17,9 @@ constexpr double kWorthIt = 0.9;  // a delay must reduce the disagreement to les
 
 }  // namespace
 
-OdometryDelayEstimator::OdometryDelayEstimator(const OdometryTrack& odometry, double scan_period_s)
-    : odometry_(odometry), scan_period_s_(scan_period_s) {
+OdometryDelayEstimator::OdometryDelayEstimator(const OdometryTrack& odometry, double scan_period_s,
+                                               double guess_s)
+    : odometry_(odometry), scan_period_s_(scan_period_s), guess_s_(guess_s) {
   for (int tenth = kEarliest; tenth <= kLatest; ++tenth)
     candidates_.push_back({tenth * 0.1 * scan_period_s, 0});
 }
@@ -47,7 +48,7 @@ void OdometryDelayEstimator::compare(const Seen& a, const Seen& b, std::size_t o
 }
 
 double OdometryDelayEstimator::delay_s() const {
-  if (comparisons_ < kComparisonsMin) return 0;
+  if (comparisons_ < kComparisonsMin) return guess_s_;
   const auto best = std::min_element(
       candidates_.begin(), candidates_.end(),
       [](const Candidate& a, const Candidate& b) { return a.disagreement_rad < b.disagreement_rad; });

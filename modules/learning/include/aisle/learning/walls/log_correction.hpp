@@ -17,6 +17,7 @@ struct OpenOfLog {
 /// What was found in a log.
 struct LogFindings {
   Problems warnings;               ///< one a correction, with the line of the recording
+  double odometry_delay_s = 0;     ///< that is left, by the turns of the scans; 0 if they do not tell
   bool odometry_by_scans = false;  ///< there was none to use: the log's is now the scans' own motion
 };
 

@@ -53,7 +53,8 @@ struct MapResult {
 /// What is known of a log beyond its content; what is not is estimated from it.
 struct KnownOfLog {
   std::optional<double> odometry_delay_s;
-  bool mounting = true;  ///< LaserLog::laser().T_vehicle_laser is where the scanner sits
+  double guessed_delay_s = 0;  ///< of the odometry, where the walls do not show it
+  bool mounting = true;        ///< LaserLog::laser().T_vehicle_laser is where the scanner sits
 };
 
 /// Builds a wall map from a log with at least one scan and one odometry sample. The steps: extract segments

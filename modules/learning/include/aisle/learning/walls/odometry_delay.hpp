@@ -14,15 +14,16 @@ namespace aisle {
 class OdometryDelayEstimator {
  public:
   /// Candidates are -1 .. 3 scan periods in steps of a tenth.
-  OdometryDelayEstimator(const OdometryTrack& odometry, double scan_period_s);
+  /// @param guess_s  the delay until enough turning has been seen
+  OdometryDelayEstimator(const OdometryTrack& odometry, double scan_period_s, double guess_s = 0);
 
   /// Adds a scan: its time, the number of odometry samples known by then, and the heading of the walls' frame
   /// in the sensor frame modulo 90 degrees (nullopt if the scan shows no frame).
   void add(double time_s, std::size_t odometry_known, std::optional<double> frame_heading_rad);
 
-  /// The delay [s] with the least disagreement; 0 until enough turning has been seen, and if no delay agrees
-  /// clearly better than none. (Odometry is interpolated between its samples, which averages its noise: small
-  /// delays look slightly better than they are.)
+  /// The delay [s] with the least disagreement; the guess until enough turning has been seen; 0 if no delay
+  /// agrees clearly better than none. (Odometry is interpolated between its samples, which averages its
+  /// noise: small delays look slightly better than they are.)
   double delay_s() const;
 
  private:
@@ -38,6 +39,7 @@ class OdometryDelayEstimator {
 
   const OdometryTrack& odometry_;
   double scan_period_s_;
+  double guess_s_;
   std::vector<Seen> recent_;
   std::vector<Candidate> candidates_;
   std::size_t comparisons_ = 0;
