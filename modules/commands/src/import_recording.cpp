@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "aisle/commands/shipped_files.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/image_sequences/image_sequence.hpp"
 #include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
-#include "rounded.hpp"
 
 namespace aisle {
 namespace {
