@@ -179,7 +179,7 @@ class LogCorrection {
 
   void correct_clock() {
     if (std::abs(agreement_.delay_s) < std::max(kDelaysOfMapping * log_.scan_period_s(), 0.2)) return;
-    for (OdometrySample& sample : log_.odometry) sample.time_s -= agreement_.delay_s;
+    for (OdometrySample& sample : log_.odometry) sample.time_s += agreement_.delay_s;
     warn(log_.odometry.front().line,
          fmt::format("the odometry's stamps are {:.2f} s {} the scans'; they are shifted by that",
                      std::abs(agreement_.delay_s), agreement_.delay_s > 0 ? "behind" : "ahead of"));
