@@ -1,6 +1,7 @@
 #include "aisle/learning/walls/scanner_calibration.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
