@@ -2,7 +2,8 @@
 /// The log of a known drive, with any of the faults that logs have.
 
 #include <functional>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "aisle/core/random.hpp"
 #include "aisle/vehicle/laser_log.hpp"
