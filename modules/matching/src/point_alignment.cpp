@@ -4,8 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/median.hpp"
 #include "aisle/core/square.hpp"
 #include "aisle/geometry/pose_change.hpp"
 
@@ -18,7 +20,8 @@ constexpr std::size_t kChordReach =
     10;  // ... between points at most this far apart in the order of the beams
 constexpr double kChordMin_m = 0.03;
 constexpr double kGapShare = 0.35;    // neighbours farther apart than this share of their range ...
-constexpr double kGapFloor_m = 0.08;  // ... or this are on different surfaces
+constexpr double kGapFloor_m = 0.08;  // ... or this are on different surfaces ...
+constexpr double kGapBeams = 3;       // ... and so are those with this many beams between them
 constexpr double kAgreeing = 0.7;     // cosine between normals of one surface
 constexpr double kOnSurface_m = 0.06;
 constexpr double kPointSigma_m = 0.03;
@@ -63,8 +66,22 @@ class NearCells {
   std::vector<std::uint8_t> is_near_;
 };
 
-bool is_gap(const Vec2& a, const Vec2& b) {
-  return (a - b).norm() > std::max(kGapFloor_m, kGapShare * std::min(a.norm(), b.norm()));
+double angle_between(const Vec2& a, const Vec2& b) {
+  return std::abs(std::atan2(cross(a, b), a.dot(b)));
+}
+
+/// The usual angle from a point to the next.
+double beam_step_rad(std::span<const Vec2> points) {
+  std::vector<double> steps_rad;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    steps_rad.push_back(angle_between(points[i - 1], points[i]));
+  return steps_rad.empty() ? 0 : median(std::move(steps_rad));
+}
+
+/// @param most_rad  the largest angle between neighbours
+bool is_gap(const Vec2& a, const Vec2& b, double most_rad) {
+  return (a - b).norm() > std::max(kGapFloor_m, kGapShare * std::min(a.norm(), b.norm())) ||
+         angle_between(a, b) > most_rad;
 }
 
 std::size_t stride_for(std::size_t count, std::size_t wanted) {
@@ -76,12 +93,14 @@ std::size_t stride_for(std::size_t count, std::size_t wanted) {
 void surface_points(std::span<const Vec2> points, std::vector<SurfacePoint>& surface) {
   surface.clear();
   const std::size_t count = points.size();
+  const double most_rad = kGapBeams * beam_step_rad(points);
   for (std::size_t i = 0; i < count; ++i) {
     if (!surface.empty() && (points[i] - surface.back().p).norm() < kThinned_m) continue;
     std::size_t first = i, last = i;
     while ((points[last] - points[first]).norm() < kChord_m && last - first < kChordReach) {
-      const bool back = first > 0 && i - first < kChordReach && !is_gap(points[first], points[first - 1]);
-      const bool ahead = last + 1 < count && !is_gap(points[last], points[last + 1]);
+      const bool back =
+          first > 0 && i - first < kChordReach && !is_gap(points[first], points[first - 1], most_rad);
+      const bool ahead = last + 1 < count && !is_gap(points[last], points[last + 1], most_rad);
       if (!back && !ahead) break;
       if (back) --first;
       if (ahead) ++last;

@@ -23,6 +23,8 @@ constexpr double kSlopeOff = 0.15;      // other beams are tried if the turns di
 constexpr double kDelaysOfMapping = 3;  // scan periods: shorter delays are estimated while mapping
 constexpr double kNearDelay_s = 2;
 constexpr double kFarDelay_s = 12;
+constexpr double kClearGain = 0.005;  // of the correlation, by a delay that is more than chance ...
+constexpr double kClearShare = 0.5;   // ... and this share of what it lacked without
 constexpr double kFarMounting_m = 0.1;
 constexpr double kFarMounting_rad = 10 * kDegree;
 constexpr double kTooSparseShare = 0.6;
@@ -180,7 +182,14 @@ class LogCorrection {
 
   void correct_clock() {
     if (std::abs(agreement_.delay_s) < std::max(kDelaysOfMapping * log_.scan_period_s(), 0.2)) return;
-    for (OdometrySample& sample : log_.odometry) sample.time_s -= agreement_.delay_s;
+    // Steady turning agrees at any delay.
+    const TurnAgreement none = compare_turns(sample_, log_.odometry, 0);
+    const double gain = agreement_.correlation - none.correlation;
+    if (gain < std::max(kClearGain, kClearShare * (1 - none.correlation))) {
+      agreement_ = none;
+      return;
+    }
+    for (OdometrySample& sample : log_.odometry) sample.time_s += agreement_.delay_s;
     warn(log_.odometry.front().line,
          fmt::format("the odometry's stamps are {:.2f} s {} the scans'; they are shifted by that",
                      std::abs(agreement_.delay_s), agreement_.delay_s > 0 ? "behind" : "ahead of"));

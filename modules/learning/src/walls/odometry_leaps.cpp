@@ -182,7 +182,7 @@ class LeapCorrection {
   }
 
   /// The sample after which the odometry was late, if the step only catches up: over the time since then the
-  /// motion is one that a vehicle makes, and the scans do not contradict it.
+  /// motion is one that a vehicle makes, and the scans show the same; if they cannot tell, it stood still.
   std::optional<std::size_t> standstill_before(std::size_t sample, const ScanWitness& witness) const {
     const double until_s = odometry_[sample].time_s;
     for (std::size_t begin = sample - 1; begin-- > 0;) {
@@ -194,7 +194,10 @@ class LeapCorrection {
         continue;
       if (begin > 0 && begin + 1 < sample && !is_motion(between(pose(begin - 1), pose(begin)))) continue;
       const auto by_scans = witness.motion_since(odometry_[begin].time_s);
-      if (!by_scans) return begin;
+      if (!by_scans) {
+        const bool stood_still = !is_motion(between(pose(begin), pose(sample - 1)));
+        return stood_still ? std::optional(begin) : std::nullopt;
+      }
       const Pose2 off = between(whole, *by_scans);
       if (off.position().norm() < kSameMotion_m && std::abs(off.theta) < kSameMotion_rad) return begin;
       return std::nullopt;

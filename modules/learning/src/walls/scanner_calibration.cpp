@@ -1,6 +1,7 @@
 #include "aisle/learning/walls/scanner_calibration.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +17,9 @@ constexpr std::size_t kScansMin = 40;
 constexpr std::size_t kScansMax = 1200;
 constexpr double kEnoughTurn_rad = 540 * kDegree;
 constexpr double kEnoughPath_m = 10;
+constexpr double kCounted_m =
+    0.1;  // motion counts in steps of this: noise adds nothing to a laser that stands
+constexpr double kCounted_rad = 3 * kDegree;
 constexpr double kWindow_s = 0.5;       // turns are compared over this long: single steps are mostly noise
 constexpr double kCoarseStep_s = 0.05;  // between the delays that are tried first
 constexpr double kFineStep_s = 0.01;
@@ -65,16 +69,25 @@ TurnAgreement agreement_at(const std::vector<Turn>& turns, const OdometryTrack& 
 }  // namespace
 
 double SampledMotion::turned_rad() const {
-  double turned = 0;
-  for (std::size_t i = 1; i < T_first_laser.size(); ++i)
-    turned += std::abs(wrap_angle(T_first_laser[i].theta - T_first_laser[i - 1].theta));
+  double turned = 0, counted_rad = 0;
+  for (const Pose2& pose : T_first_laser) {
+    const double step_rad = wrap_angle(pose.theta - counted_rad);
+    if (std::abs(step_rad) < kCounted_rad) continue;
+    turned += std::abs(step_rad);
+    counted_rad = pose.theta;
+  }
   return turned;
 }
 
 double SampledMotion::moved_m() const {
   double moved_m = 0;
-  for (std::size_t i = 1; i < T_first_laser.size(); ++i)
-    moved_m += (T_first_laser[i].position() - T_first_laser[i - 1].position()).norm();
+  Vec2 counted = Vec2::Zero();
+  for (const Pose2& pose : T_first_laser) {
+    const double step_m = (pose.position() - counted).norm();
+    if (step_m < kCounted_m) continue;
+    moved_m += step_m;
+    counted = pose.position();
+  }
   return moved_m;
 }
 

@@ -1,10 +1,8 @@
 #include <gmock/gmock.h>
 
-#include <cmath>
-#include <limits>
-
 #include "aisle/core/square.hpp"
 #include "aisle/learning/walls/wall_localiser.hpp"
+#include "cast_scans.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -24,22 +22,9 @@ WallMap room() {
 
 /// What a scanner in the middle of the vehicle measures.
 std::vector<float> scan_from(const Pose2& T_map_vehicle) {
-  std::vector<float> ranges_m;
-  for (int beam = 0; beam <= 180; ++beam) {
-    const Vec2 p = T_map_vehicle.position();
-    const Vec2 ray =
-        unit(T_map_vehicle.theta + kOneReadingADegree.beam_angle(static_cast<std::size_t>(beam)));
-    double nearest_m = std::numeric_limits<double>::infinity();
-    for (const Wall& wall : room().walls) {
-      const Vec2 along = wall.segment.end - wall.segment.start, to_wall = wall.segment.start - p;
-      const double parallel = cross(ray, along);
-      if (std::abs(parallel) < 1e-9) continue;
-      const double range_m = cross(to_wall, along) / parallel, share = cross(to_wall, ray) / parallel;
-      if (range_m > 0 && share >= 0 && share <= 1) nearest_m = std::min(nearest_m, range_m);
-    }
-    ranges_m.push_back(static_cast<float>(std::min(nearest_m, kOneReadingADegree.range_max_m)));
-  }
-  return ranges_m;
+  std::vector<Segment2> walls;
+  for (const Wall& wall : room().walls) walls.push_back(wall.segment);
+  return cast_scan(walls, T_map_vehicle, kOneReadingADegree, 181);
 }
 
 UncertainPose2 about_there(const Pose2& T) {
