@@ -67,7 +67,9 @@ OrderedJson building_list(const fs::path& folder) {
 Result<OrderedJson> session_figures(const fs::path& sessions, const nlohmann::json& arguments) {
   const auto session = session_named(sessions, arguments);
   if (!session) return session.problems();
-  auto info = run_session_info({*session});
+  SilentProgress silent;
+  Console console{silent, [](const std::string&) {}};
+  auto info = run_session_info({*session}, console);
   if (!info) return info.problems();
   return std::move(info->figures);
 }

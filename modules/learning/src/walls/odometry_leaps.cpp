@@ -25,6 +25,7 @@ constexpr double kConfirmingShare = 0.5;
 constexpr double kLate_s = 5;  // odometry may stand still for this long before it catches up
 constexpr double kCatchUpSpeed_mps = 1.5;
 constexpr double kCatchUpTurn_radps = 2;
+constexpr double kToldShare = 0.3;  // of the motion, by odometry that is late
 constexpr double kSameMotion_m = 0.4;
 constexpr double kSameMotion_rad = 20 * kDegree;
 constexpr std::size_t kLeapsSaid = 5;
@@ -150,10 +151,11 @@ class LeapCorrection {
     ++leaps_;
     const std::string leap = fmt::format("the odometry leaps by {:.2f} m and {:.0f} degrees",
                                          step.position().norm(), to_degrees(step.theta));
-    if (const auto begin = standstill_before(sample, witness)) {
-      say(sample,
-          fmt::format("{} after {:.1f} s in which it stood still; the motion is spread over that time", leap,
-                      odometry_[sample].time_s - odometry_[*begin].time_s));
+    if (const auto begin = late_since(sample, witness)) {
+      const bool stood_still = !is_motion(between(pose(*begin), pose(sample - 1)));
+      say(sample, fmt::format("{} after {:.1f} s in which it {}; the motion is spread over that time", leap,
+                              odometry_[sample].time_s - odometry_[*begin].time_s,
+                              stood_still ? "stood still" : "told little"));
       return spread(*begin, sample);
     }
     const auto by_scans = witness.motion_since(witness.before_last_s());
@@ -182,8 +184,8 @@ class LeapCorrection {
   }
 
   /// The sample after which the odometry was late, if the step only catches up: over the time since then the
-  /// motion is one that a vehicle makes, and the scans show the same; if they cannot tell, it stood still.
-  std::optional<std::size_t> standstill_before(std::size_t sample, const ScanWitness& witness) const {
+  /// motion is one that a vehicle makes, and the scans show the same; if they cannot tell, it told little.
+  std::optional<std::size_t> late_since(std::size_t sample, const ScanWitness& witness) const {
     const double until_s = odometry_[sample].time_s;
     for (std::size_t begin = sample - 1; begin-- > 0;) {
       const double late_s = until_s - odometry_[begin].time_s;
@@ -194,15 +196,24 @@ class LeapCorrection {
         continue;
       if (begin > 0 && begin + 1 < sample && !is_motion(between(pose(begin - 1), pose(begin)))) continue;
       const auto by_scans = witness.motion_since(odometry_[begin].time_s);
-      if (!by_scans) {
-        const bool stood_still = !is_motion(between(pose(begin), pose(sample - 1)));
-        return stood_still ? std::optional(begin) : std::nullopt;
-      }
+      if (!by_scans) return was_late(begin, sample) ? std::optional(begin) : std::nullopt;
       const Pose2 off = between(whole, *by_scans);
       if (off.position().norm() < kSameMotion_m && std::abs(off.theta) < kSameMotion_rad) return begin;
       return std::nullopt;
     }
     return std::nullopt;
+  }
+
+  /// Whether the odometry told little of the motion before the step: it hardly moved, or there was none.
+  bool was_late(std::size_t begin, std::size_t sample) const {
+    const Pose2 whole = between(pose(begin), pose(sample)), told = between(pose(begin), pose(sample - 1));
+    if (told.position().norm() <= kToldShare * whole.position().norm() &&
+        std::abs(told.theta) <= kToldShare * std::abs(whole.theta))
+      return true;
+    double gap_s = 0;
+    for (std::size_t i = begin + 1; i <= sample; ++i)
+      gap_s = std::max(gap_s, odometry_[i].time_s - odometry_[i - 1].time_s);
+    return gap_s > 0.5 * (odometry_[sample].time_s - odometry_[begin].time_s);
   }
 
   void spread(std::size_t begin, std::size_t end) {

@@ -235,7 +235,9 @@ WallMap draw_walls(const std::vector<WallEstimate>& walls, std::span<const WallS
     drawing.add_beams(scans[i]);
     if (i > 0) drawing.add_drive(scans[i - 1].T_map_laser.position(), scans[i].T_map_laser.position());
   }
-  const int legs = scans.empty() ? 1 : leg_at(scans.back().path_m) + 1;
+  double path_m = scans.empty() ? 0 : scans.back().path_m;
+  for (const WallSighting& s : sightings) path_m = std::max(path_m, s.path_m);
+  const int legs = leg_at(path_m) + 1;
   return drawing.walls(length_min_m, sightings_min, legs);
 }
 

@@ -6,7 +6,6 @@
 namespace aisle {
 namespace {
 
-using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr LaserScanner kLaser{-kPi / 2, kPi / 180, 30, {}};
@@ -45,8 +44,16 @@ TEST(WallDrawing, AWallOftenSeenIsDrawnWhole) {
 }
 
 TEST(WallDrawing, RepeatedSightingsWithoutMotionCountOnce) {
-  const std::vector<WallSighting> glances(20, {kLong, 0, 0.1});
-  EXPECT_THAT(draw({wall_of(kLong, Facing::kWest, 20)}, glances).walls, IsEmpty());
+  std::vector<WallSighting> sightings(20, {kLong, 0, 0.1});
+  const Segment2 other{{0, 9}, {5, 9}};
+  for (const WallSighting& s : seen_along(other, 1, 3)) sightings.push_back(s);
+  const WallMap map = draw({wall_of(kLong, Facing::kWest, 20), wall_of(other, Facing::kEast, 9)}, sightings);
+  ASSERT_THAT(map.walls, SizeIs(1));
+  EXPECT_NEAR(map.walls[0].segment.midpoint().y(), 9, 1e-9);
+}
+
+TEST(WallDrawing, OfADriveShorterThanALegOneSightingIsEnough) {
+  EXPECT_THAT(draw({wall_of(kLong, Facing::kWest, 20)}, {{kLong, 0, 0.1}}).walls, SizeIs(1));
 }
 
 TEST(WallDrawing, TwoEstimatesOfOneWallBecomeOneSegment) {

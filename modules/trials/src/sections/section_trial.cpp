@@ -6,8 +6,8 @@
 
 #include "aisle/commands/learned_files.hpp"
 #include "aisle/commands/method.hpp"
-#include "aisle/core/rounded.hpp"
 #include "aisle/core/edit_distance.hpp"
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/section_text.hpp"
 #include "aisle/geometry/polyline.hpp"
 #include "aisle/missions/statistics.hpp"

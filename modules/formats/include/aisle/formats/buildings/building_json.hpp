@@ -12,8 +12,8 @@
 namespace aisle {
 
 /// Writes the newest version of the format. Coordinates are rounded to the millimetre; routes have enough
-/// digits that the end of a 1 km route is off by less than a millimetre. Reading the text and writing it again
-/// gives the same text. @throws std::invalid_argument if a route has no name or no length
+/// digits that the end of a 1 km route is off by less than a millimetre. Reading the text and writing it
+/// again gives the same text. @throws std::invalid_argument if a route has no name or no length
 std::string building_json(const Building& building);
 
 /// Malformed JSON is a problem with its line number; an unknown format, version or key, or a bad value, is a
