@@ -6,7 +6,6 @@
 #include <lz4frame.h>
 #include <zstd.h>
 
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/ros_time.hpp"
 #include "sessions/sqlite.hpp"
+#include "written_file.hpp"
 
 namespace aisle {
 
@@ -245,13 +245,6 @@ inline void write_db3(const std::filesystem::path& path, const std::vector<Writt
     (void)insert->run();
   }
   (void)database->run("COMMIT; PRAGMA journal_mode = DELETE");
-}
-
-/// Removes a former file first: writing over it would wait for the disk.
-inline void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  std::filesystem::create_directories(path.parent_path());
-  std::filesystem::remove(path);
-  std::ofstream(path, std::ios::binary) << bytes;
 }
 
 }  // namespace aisle

@@ -8,17 +8,13 @@
 #include "aisle/formats/image_sequences/image_sequence.hpp"
 #include "aisle/formats/images/image_file.hpp"
 #include "session_samples.hpp"
+#include "written_file.hpp"
 
 namespace aisle {
 
 inline std::string sample_jpeg(int seed, int width = 32, int height = 24) {
   Random random(static_cast<std::uint64_t>(seed));
   return jpeg_bytes(sample_image(width, height, 3, random), 80);
-}
-
-inline void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  std::filesystem::create_directories(path.parent_path());
-  (void)write_whole_file(path, bytes);
 }
 
 /// A line of a catalog, 50 ms after that of the index before.

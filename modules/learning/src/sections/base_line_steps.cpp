@@ -18,7 +18,7 @@ constexpr double kStepMin_m = 0.08;  // smaller steps are ignored
 constexpr double kOff_m = 0.25;      // larger deviations count as this
 constexpr double kPrice_m = 1;       // cost of a step: it must lower the sum of deviations by this
 constexpr double kLookedAt_m = 4;    // ahead of the vehicle; farther walls are seen inaccurately
-constexpr double kNearest_m = 0.12, kFarthest_m = 3;
+constexpr double kNearestSeen_m = 0.12, kFarthest_m = 3;
 
 /// The distances of the base line on one side, span by span; nullopt: not seen.
 using SideProfile = std::vector<std::optional<double>>;
@@ -60,7 +60,7 @@ class PathSegmentProfile {
     std::optional<double> nearest;
     for (const WallBeside& wall : beside_) {
       const double distance_m = is_left ? wall.lateral_m : -wall.lateral_m;
-      if (distance_m < kNearest_m || distance_m > kFarthest_m) continue;
+      if (distance_m < kNearestSeen_m || distance_m > kFarthest_m) continue;
       if (wall.from_m > along_m(span) || wall.to_m < along_m(span + 1)) continue;
       if (!nearest || distance_m < *nearest) nearest = distance_m;
     }

@@ -16,7 +16,7 @@ constexpr double kShareMin = 0.6;  // least share of edges along two axes: other
 constexpr double kFirstSigma_rad = 1 * kDegree;  // of the first image
 constexpr double kLeastSigma_rad = 0.15 * kDegree;
 constexpr double kBends_rad = 0.1 * kDegree;  // per metre of path: walls and map are not quite straight
-constexpr double kBelieved = 3;               // standard deviations within which walls are the known ones
+constexpr double kBelievedHeading = 3;        // standard deviations within which walls are the known ones
 constexpr double kUsual_rad = 1 * kDegree;    // usual deviation of the known walls
 constexpr int kUnlikeMax = 30;  // images in a row with other directions, before these become the known ones
 constexpr double kNewErrors_m = 0.3;             // path after which an image has wholly new errors ...
@@ -72,7 +72,8 @@ void WallCompass::look(std::span<const SensedSegment> edges, double heading_rad,
   against_walls_ = heading_near(edges, predicted_rad, std::sqrt(predicted_variance));
   if (!against_walls_) return;
   const double off_rad = against_walls_->heading_rad - predicted_rad;
-  const bool is_like = std::abs(off_rad) < kBelieved * std::sqrt(predicted_variance + square(kUsual_rad));
+  const bool is_like =
+      std::abs(off_rad) < kBelievedHeading * std::sqrt(predicted_variance + square(kUsual_rad));
   unlike_ = is_like ? 0 : unlike_ + 1;
   if (is_like) {
     against_walls_->sigma_rad /= std::sqrt(information_share);

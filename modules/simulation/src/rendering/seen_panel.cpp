@@ -16,9 +16,9 @@ constexpr double kNearestSeen_m = 1e-4;  ///< what is nearer to the lens is not 
 constexpr float kSamePlace = 1 - 1e-5f;
 
 /// Bounds of a panel's part ahead of the camera.
-class Outline {
+class PanelOutline {
  public:
-  explicit Outline(const Corners& corners) {
+  explicit PanelOutline(const Corners& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vec3 &from = corners[i], &to = corners[(i + 1) % corners.size()];
       if (from.z() >= kNearestSeen_m) add(from);
@@ -72,7 +72,7 @@ std::optional<SeenPanel> seen_panel(const Corners& corners, const Viewpoint& vie
   const Mat3 R_camera_scene = view.R_scene_camera.cast<double>().transpose();
   const Vec3 p_scene_camera = view.p_scene_camera.cast<double>();
   for (std::size_t i = 0; i < 4; ++i) p_camera[i] = R_camera_scene * (corners[i] - p_scene_camera);
-  const Outline outline(p_camera);
+  const PanelOutline outline(p_camera);
   if (!outline.is_ahead()) return std::nullopt;
 
   const Vec3 normal = (p_camera[2] - p_camera[0]).cross(p_camera[3] - p_camera[1]);
