@@ -25,9 +25,11 @@ void read_readings(FieldReader& fields, double metres_per_unit, std::vector<doub
 
 /// Where the angular resolution, often rounded, disagrees with the field of view by more than a step, takes
 /// the field of view's; not where the scan would then be less symmetric about straight ahead than without.
+/// Of a full circle, the last gap is that between the last reading and the first.
 /// @return false if it did
 bool settle_step(ScanBeams& beams, double field_of_view_rad, double steps) {
-  const double by_field_of_view_rad = field_of_view_rad / steps;
+  const bool is_full_circle = std::abs(field_of_view_rad - 2 * kPi) < kPi / steps;
+  const double by_field_of_view_rad = is_full_circle ? 2 * kPi / (steps + 1) : field_of_view_rad / steps;
   if (beams.angle_step_rad == 0) {
     beams.angle_step_rad = by_field_of_view_rad;
     return true;

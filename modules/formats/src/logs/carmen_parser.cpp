@@ -185,8 +185,8 @@ void CarmenParser::warn_of_lines() {
   warn(unknown_lines_, fmt::format("'{}' is not a CARMEN message; {} such lines were skipped", first_unknown_,
                                    unknown_lines_.count));
   warn(wrong_resolution_,
-       fmt::format("the angular resolution does not fit the field of view in {} scans, first here: field of "
-                   "view / (readings - 1) is taken",
+       fmt::format("the angular resolution does not fit the field of view in {} scans, first here: the "
+                   "readings are taken to share the field of view",
                    wrong_resolution_.count));
 }
 

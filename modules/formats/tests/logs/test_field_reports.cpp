@@ -96,8 +96,15 @@ TEST(FieldReports_OpenslamGmapping3, PlusInfinityMeansThatNothingWasInRange) {
 }
 
 TEST(FieldReports_SlamToolbox426, ARoundedIncrementGivesWayToTheFieldOfView) {
+  const LaserRecording carmen =
+      parsed(robotlaser("-2.356194", "4.712389", "0.0043", equal_readings(1081), 1081));
+  EXPECT_NEAR(carmen.log.laser().angle_step_rad, 4.712389 / 1080, 1e-9);
+  EXPECT_THAT(warnings_of(carmen), HasSubstr("run.clf:1: the angular resolution does not fit"));
+}
+
+TEST(FieldReports_SlamToolbox426, OfAFullCircleTheFirstReadingFollowsTheLast) {
   const LaserRecording carmen = parsed(robotlaser("-3.141593", "6.28", "0.017", equal_readings(360), 360));
-  EXPECT_NEAR(carmen.log.laser().angle_step_rad, 6.28 / 359, 1e-9);
+  EXPECT_NEAR(carmen.log.laser().angle_step_rad, 2 * kPi / 360, 1e-9);
   EXPECT_THAT(warnings_of(carmen), HasSubstr("run.clf:1: the angular resolution does not fit"));
 }
 
