@@ -95,10 +95,10 @@ class DxfReader {
 };
 
 std::optional<double> unit_of_insunits(std::string_view code) {
-  static const std::map<std::string_view, double> kUnits_m = {{"1", 0.0254}, {"2", 0.3048}, {"4", 0.001},
-                                                              {"5", 0.01},   {"6", 1},      {"14", 0.1}};
-  const auto unit = kUnits_m.find(code);
-  return unit == kUnits_m.end() ? std::nullopt : std::optional(unit->second);
+  static const std::map<std::string_view, double> units_m = {{"1", 0.0254}, {"2", 0.3048}, {"4", 0.001},
+                                                             {"5", 0.01},   {"6", 1},      {"14", 0.1}};
+  const auto unit = units_m.find(code);
+  return unit == units_m.end() ? std::nullopt : std::optional(unit->second);
 }
 
 void DxfReader::begin(std::string_view kind) {

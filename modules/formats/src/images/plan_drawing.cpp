@@ -11,9 +11,10 @@
 namespace aisle {
 namespace {
 
-constexpr int kCellsMax = 2700;    ///< a side: three pixels each stay below Cairo's 32767
-constexpr int kPixelsPerCell = 3;  ///< lines are thinner than cells: the darkest pixel counts
-constexpr double kSmallest_m = 1;  ///< smaller ones are the size of the paper
+constexpr int kCellsMax = 2700;            ///< a side: three pixels each stay below Cairo's 32767
+constexpr int kPixelsPerCell = 3;          ///< lines are thinner than cells: the darkest pixel counts
+constexpr std::ptrdiff_t kPixelBytes = 4;  // of Cairo's RGB24
+constexpr double kSmallest_m = 1;          ///< smaller ones are the size of the paper
 
 struct SurfaceEnd {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
@@ -56,10 +57,10 @@ std::optional<Image> painted(const Drawing& drawing, int columns, int rows, doub
   std::fill(image.bytes.begin(), image.bytes.end(), 255);
   for (int v = 0; v < rows * kPixelsPerCell; ++v) {
     std::uint8_t* row = image.row(v / kPixelsPerCell);
-    const unsigned char* line = pixels + static_cast<std::ptrdiff_t>(v) * stride;
-    for (int u = 0; u < columns * kPixelsPerCell; ++u) {
+    const unsigned char* pixel = pixels + static_cast<std::ptrdiff_t>(v) * stride;
+    for (int u = 0; u < columns * kPixelsPerCell; ++u, pixel += kPixelBytes) {
       std::uint8_t& cell = row[u / kPixelsPerCell];
-      cell = std::min(cell, darkest_channel(line + 4 * u));
+      cell = std::min(cell, darkest_channel(pixel));
     }
   }
   return image;

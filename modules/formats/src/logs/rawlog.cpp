@@ -85,10 +85,10 @@ void RawlogParser::read_contents(const MrptHeader& header) {
     odometry_.begin_collection();
   } else if (header.class_name == "CObservation2DRangeScan") {
     if (!is_known_version(header, kScanVersion)) return;
-    MrptScan scan = read_mrpt_scan(stream_, header.version);
+    const MrptScan scan = read_mrpt_scan(stream_, header.version);
     if (!stream_.ok()) return;
     odometry_.reach_scan(scan.stamp_s, object_);
-    scans_.add(std::move(scan), object_);
+    scans_.add(scan, object_);
   } else if (header.class_name == "CObservationOdometry") {
     if (!is_known_version(header, kOdometryVersion)) return;
     const MrptOdometry odometry = read_mrpt_odometry(stream_, header.version);
