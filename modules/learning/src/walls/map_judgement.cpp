@@ -15,7 +15,7 @@ constexpr double kJudgedReach_m = 15;     // farther readings move too much with
 constexpr double kOnWall_m = 0.10;
 constexpr double kThroughWall_m = 0.30;
 constexpr std::size_t kReadingsToJudge = 1000;
-// Between the shares of maps that are right and of maps that are known to be torn: reports/2026-11-28-recordings.
+// Between the shares of maps that are right and of torn ones: benchmarks/reports/2026-11-28-recordings.
 constexpr double kPassDoubtful = 0.04;
 constexpr double kPassPoor = 0.08;
 constexpr double kFitDoubtful = 0.5;
