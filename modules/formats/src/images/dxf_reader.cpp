@@ -24,6 +24,12 @@ struct Group {
   std::string_view value;
 };
 
+/// The number that stands there; `otherwise` if none does, or one that no drawing has.
+double dxf_number(std::string_view text, double otherwise = 0) {
+  const auto value = parse_number(text);
+  return value && std::abs(*value) <= kAnyNumber ? *value : otherwise;
+}
+
 /// One entity: its kind and its groups.
 struct Entity {
   std::string_view kind;
@@ -35,10 +41,7 @@ struct Entity {
     }
     return {};
   }
-  double number(int code, double otherwise = 0) const {
-    const auto value = parse_number(text(code));
-    return value && std::abs(*value) <= kAnyNumber ? *value : otherwise;
-  }
+  double number(int code, double otherwise = 0) const { return dxf_number(text(code), otherwise); }
   Vec2 point(int code) const { return {number(code), number(code + 10)}; }
 };
 
@@ -129,8 +132,8 @@ void DxfReader::read_block_head(const Group& group) {
   }
   if (block_.empty()) return;
   Vec2& base = block_base_[std::string(block_)];
-  if (group.code == 10) base.x() = parse_number(group.value).value_or(0);
-  if (group.code == 20) base.y() = parse_number(group.value).value_or(0);
+  if (group.code == 10) base.x() = dxf_number(group.value);
+  if (group.code == 20) base.y() = dxf_number(group.value);
 }
 
 void DxfReader::read_groups() {
@@ -141,7 +144,7 @@ void DxfReader::read_groups() {
     const std::string_view value = trimmed(take_line(rest_));
     line_ += 2;
     const auto code = parse_number(code_text);
-    if (!code || std::abs(*code) > 10000) {
+    if (!code || !(std::abs(*code) <= 10000)) {
       if (code_text.empty() && rest_.empty()) return;
       failure_ = Problem{{name_, line_ - 1}, fmt::format("'{}' is not a group code", printable(code_text))};
       return;
@@ -214,12 +217,12 @@ void DxfReader::draw_polyline(const Entity& entity, const Placement& placed) {
   for (const Group& group : entity.groups) {
     is_corner = is_corner || group.code == 0;
     if (!is_corner) continue;
-    const double value = parse_number(group.value).value_or(0);
+    const double value = dxf_number(group.value);
     if (group.code == 10) corners.push_back({{value, 0}});
     if (group.code == 20 && !corners.empty()) corners.back().p.y() = value;
     if (group.code == 42 && !corners.empty()) corners.back().bulge = value;
   }
-  const bool is_closed = static_cast<int>(entity.number(70)) % 2 == 1;
+  const bool is_closed = std::fmod(entity.number(70), 2) == 1;
   for (std::size_t i = 0; i + (is_closed ? 0 : 1) < corners.size(); ++i) {
     const Vec2 start = corners[i].p, end = corners[(i + 1) % corners.size()].p;
     const double bulge = corners[i].bulge;

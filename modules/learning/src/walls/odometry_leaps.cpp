@@ -65,7 +65,7 @@ bool is_leap(const Pose2& step, double step_s, const UsualStep& usual) {
 class ScanWitness {
  public:
   /// @param scan  the first at or after the step; not the first of the log
-  ScanWitness(const LaserLog& log, std::size_t scan) : log_(log) {
+  ScanWitness(const LaserLog& log, std::size_t scan) {
     const std::size_t laser = log.scans[scan].laser;
     const Pose2 T_laser_vehicle = log.lasers[laser].T_vehicle_laser.inverse();
     std::vector<Vec2> points;
@@ -103,7 +103,6 @@ class ScanWitness {
   }
 
  private:
-  const LaserLog& log_;
   ScanOdometry scans_, before_;
   std::vector<Vec2> points_;  ///< of the last scan
   std::vector<OdometrySample> track_;
