@@ -88,7 +88,7 @@ Result<ImportedImages> take_all(ImageSequence& images, ImportedSession& session,
 
 void warn_of_import(const ImageSequence& images, const ImportedSession& session, const ImportOptions& options,
                     Console& console) {
-  for (const Problem& problem : images.warnings()) console.warn(to_string(problem));
+  warn_of(images.warnings(), console);
   if (options.vehicle.empty()) {
     console.warn(to_string(Problem{{options.recording},
                                    "tells nothing of the camera's lens and mount; --vehicle names a vehicle "

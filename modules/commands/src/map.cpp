@@ -280,7 +280,7 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
                                              "odometry; the errors are taken there",
                                              T_vehicle_relations.x, T_vehicle_relations.y)});
   }
-  for (const Problem& warning : settled->warnings) console.warn(to_string(warning));
+  warn_of(settled->warnings, console);
   outcome.figures = figures_of(result, log, relations, T_vehicle_relations);
   if (options.stages) {
     std::vector<MapStage> stages =

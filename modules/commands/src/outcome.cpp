@@ -9,6 +9,10 @@ nlohmann::ordered_json warnings_json(const Problems& warnings) {
   return json;
 }
 
+void warn_of(const Problems& warnings, const Console& console) {
+  for (const Problem& warning : warnings) console.warn(to_string(warning));
+}
+
 std::string to_json(const Outcome& outcome) {
   const nlohmann::ordered_json json = {
       {"verb", outcome.verb}, {"ok", outcome.ok}, {"figures", outcome.figures}, {"files", outcome.files}};

@@ -66,7 +66,7 @@ void read_symbols(FloorPlan& plan, const std::string& name, Console& console) {
 Result<World> world_of_floor(Result<PlanReading> read, const PlanOptions& options, Console& console) {
   if (!read) return read.problems();
   const std::string name = options.plan.string();
-  for (const Problem& warning : read->warnings) console.warn(to_string(warning));
+  warn_of(read->warnings, console);
   FloorPlan& plan = read->plan;
   if (options.from != PlanKind::kMapServer) read_symbols(plan, name, console);
   if (const int specks = clean_plan(plan, {.speck_m = options.speck_m}); specks > 0)

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "aisle/commands/method.hpp"
+#include "aisle/commands/method_params.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "exploration/exploration_trial.hpp"
 #include "landmarks/landmark_trial.hpp"
@@ -12,17 +13,7 @@
 namespace aisle {
 namespace {
 
-struct TrialParams {
-  LandmarkCourseParams landmarks;
-  SectionTrialParams sections;
-  RoomTrialParams route;
-
-  void describe(FieldList& fields) {
-    landmarks.describe(fields);
-    fields.group("sections", sections);
-    fields.group("route", route);
-  }
-};
+using TrialParams = MethodParams<LandmarkCourseParams, SectionTrialParams, RoomTrialParams>;
 
 Result<TrialParams> read_params(const TrialOptions& options) {
   TrialParams params;

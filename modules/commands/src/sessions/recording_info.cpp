@@ -25,10 +25,6 @@ std::string bag_topic_line(const BagOverview::Topic& topic, std::size_t name_wid
                      topic.topic.messages, topic.rate_hz, topic.serves, topic.topic.type);
 }
 
-void warn_of(const Problems& warnings, Console& console) {
-  for (const Problem& warning : warnings) console.warn(to_string(warning));
-}
-
 Result<Outcome> bag_info(const std::filesystem::path& path, Console& console) {
   const auto overview = bag_overview(path);
   if (!overview) return overview.problems();
@@ -49,7 +45,7 @@ Result<Outcome> bag_info(const std::filesystem::path& path, Console& console) {
     outcome.figures["topics"].push_back(bag_topic_json(topic));
     outcome.text += bag_topic_line(topic, name_width);
   }
-  outcome.text += "not recorded by aisle: it can be mapped and imported, but not replayed\n";
+  outcome.text += "not recorded by aisle: it can be mapped, but not replayed\n";
   return outcome;
 }
 

@@ -11,10 +11,11 @@
 
 namespace aisle {
 
-struct LearnParams {
-  LandmarkLearnerParams landmarks;
-  SectionLearnerParams sections;
-  RoomLearnerParams route;
+template <class Landmarks, class Sections, class Route>
+struct MethodParams {
+  Landmarks landmarks;
+  Sections sections;
+  Route route;
 
   void describe(FieldList& fields) {
     landmarks.describe(fields);
@@ -23,16 +24,7 @@ struct LearnParams {
   }
 };
 
-struct NavigateParams {
-  LandmarkNavigatorParams landmarks;
-  SectionDriverParams sections;
-  RoomDriverParams route;
-
-  void describe(FieldList& fields) {
-    landmarks.describe(fields);
-    fields.group("sections", sections);
-    fields.group("route", route);
-  }
-};
+using LearnParams = MethodParams<LandmarkLearnerParams, SectionLearnerParams, RoomLearnerParams>;
+using NavigateParams = MethodParams<LandmarkNavigatorParams, SectionDriverParams, RoomDriverParams>;
 
 }  // namespace aisle

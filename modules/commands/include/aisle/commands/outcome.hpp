@@ -33,4 +33,7 @@ struct Console {
   MessageSink* watcher = nullptr;  ///< receives what a mission records; null: nobody watches
 };
 
+/// Says each of them as a warning.
+void warn_of(const Problems& warnings, const Console& console);
+
 }  // namespace aisle
