@@ -5,6 +5,7 @@
 #include <string>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/formats/logs/read_laser_recording.hpp"
 #include "logs/carmen_lines.hpp"
 #include "pose_matchers.hpp"
 
@@ -236,7 +237,7 @@ TEST(CarmenLog, AFileFullOfProblemsShowsTwentyAndCountsTheRest) {
 }
 
 TEST(CarmenLog, AMissingFileIsAProblem) {
-  EXPECT_THAT(to_string(read_carmen_log("/nowhere/run.clf").problems()),
+  EXPECT_THAT(to_string(read_laser_recording("/nowhere/run.clf").problems()),
               HasSubstr("/nowhere/run.clf: no such file"));
 }
 

@@ -5,6 +5,7 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
 #include "aisle/formats/logs/rawlog.hpp"
+#include "aisle/formats/logs/read_laser_recording.hpp"
 #include "aisle/formats/logs/relations.hpp"
 #include "logs/unpacked_file.hpp"
 #include "pose_matchers.hpp"
@@ -21,7 +22,7 @@ using testing::SizeIs;
 TEST(RealLogs, Fr079HasItsScansBeamsAndNoReturnValue) {
   const auto file = real_data() / "laser/fr079/fr079.clf.gz";
   AISLE_NEEDS(file);
-  const auto carmen = read_carmen_log(file);
+  const auto carmen = read_laser_recording(file);
   ASSERT_TRUE(carmen.ok()) << to_string(carmen.problems());
   const LaserLog& log = carmen->log;
   EXPECT_THAT(carmen->warnings, IsEmpty());
@@ -41,7 +42,7 @@ TEST(RealLogs, Fr079HasItsScansBeamsAndNoReturnValue) {
 TEST(RealLogs, AcesHasItsScansBeamsAndNoReturnValue) {
   const auto file = real_data() / "laser/aces/aces.clf.gz";
   AISLE_NEEDS(file);
-  const auto carmen = read_carmen_log(file);
+  const auto carmen = read_laser_recording(file);
   ASSERT_TRUE(carmen.ok()) << to_string(carmen.problems());
   const LaserLog& log = carmen->log;
   EXPECT_THAT(carmen->warnings, IsEmpty());
@@ -56,7 +57,7 @@ TEST(RealLogs, TheRawlogOfAcesHasTheScansOfTheCarmenLog) {
   const auto rawlog = real_data() / "recordings/mrpt-rawlog/aces.rawlog";
   AISLE_NEEDS(clf);
   AISLE_NEEDS(rawlog);
-  const auto carmen = read_carmen_log(clf);
+  const auto carmen = read_laser_recording(clf);
   const auto packed = read_unpacked_file(rawlog);
   ASSERT_TRUE(packed.ok());
   const auto mrpt = parse_rawlog(packed->bytes, rawlog.string());
@@ -97,7 +98,7 @@ TEST(RealLogs, BothKindsOfRawlogAndOldClassesAreRead) {
 TEST(RealLogs, ScansThatChangeTheirNumberAreReadFromBzip2) {
   const auto file = real_data() / "recordings/mrpt-rawlog/fr-clinic_robotlaser.clf.bz2";
   AISLE_NEEDS(file);
-  const auto carmen = read_carmen_log(file);
+  const auto carmen = read_laser_recording(file);
   ASSERT_TRUE(carmen.ok()) << to_string(carmen.problems());
   EXPECT_THAT(carmen->log.scans, SizeIs(6917));
   EXPECT_NEAR(carmen->log.laser().T_vehicle_laser.x, 0.22, 1e-6);
@@ -106,7 +107,7 @@ TEST(RealLogs, ScansThatChangeTheirNumberAreReadFromBzip2) {
 TEST(RealLogs, OfStampsThatAreAllAlikeTheTimesFollowTheMotion) {
   const auto file = real_data() / "recordings/corrected-logs/csail-corrected.log.gz";
   AISLE_NEEDS(file);
-  const auto carmen = read_carmen_log(file);
+  const auto carmen = read_laser_recording(file);
   ASSERT_TRUE(carmen.ok()) << to_string(carmen.problems());
   EXPECT_NEAR(carmen->log.scan_period_s(), 2, 0.5);
   EXPECT_THAT(to_string(carmen->warnings), testing::HasSubstr("guessed from how far the vehicle moved"));
@@ -116,7 +117,7 @@ TEST(RealLogs, OfStampsThatAreAllAlikeTheTimesFollowTheMotion) {
 TEST(RealLogs, Fr079RelationsByStampAreThoseByNumber) {
   const auto folder = real_data() / "laser/fr079";
   AISLE_NEEDS(folder);
-  const auto carmen = read_carmen_log(folder / "fr079.clf.gz");
+  const auto carmen = read_laser_recording(folder / "fr079.clf.gz");
   ASSERT_TRUE(carmen.ok()) << to_string(carmen.problems());
   const auto by_stamp = read_relations(folder / "fr079.relations.gz", carmen->log);
   ASSERT_TRUE(by_stamp.ok()) << to_string(by_stamp.problems());

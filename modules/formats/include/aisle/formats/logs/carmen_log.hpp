@@ -1,7 +1,6 @@
 #pragma once
 /// Laser logs in CARMEN's format, one message per line; see docs/formats/carmen.md.
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -10,13 +9,10 @@
 
 namespace aisle {
 
-/// The scans of one scanner in file order, with the odometry. Plain, gzip or bzip2. Lines that cannot be read
-/// are left out with a warning. Where fewer than half of the scans and poses can be read, each line is a
-/// problem with its number; after 20 problems the rest is only counted.
-Result<LaserRecording> read_carmen_log(const std::filesystem::path& path,
-                                       const RecordingOptions& options = {});
-
-/// The same from memory; `name` is the file name in problems and warnings.
+/// The scans of one scanner in file order, with the odometry. Lines that cannot be read are left out with a
+/// warning. Where fewer than half of the scans and poses can be read, each line is a problem with its number;
+/// after 20 problems the rest is only counted. read_laser_recording() reads files, packed ones too.
+/// @param name  the file name in problems and warnings
 Result<LaserRecording> parse_carmen_log(std::string_view text, const std::string& name,
                                         const RecordingOptions& options = {});
 
