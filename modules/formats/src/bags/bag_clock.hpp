@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aisle/core/problem.hpp"
-#include "bags/bag_scan.hpp"
+#include "aisle/formats/bags/bag_scan.hpp"
 
 namespace aisle {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bags/bag_scan.hpp"
+#include "aisle/formats/bags/bag_scan.hpp"
 #include "bags/topic_choice.hpp"
 
 namespace aisle {

@@ -1,4 +1,4 @@
-#include "bags/bag_scan.hpp"
+#include "aisle/formats/bags/bag_scan.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "bags/bag_scan.hpp"
+#include "aisle/formats/bags/bag_scan.hpp"
+#include "aisle/formats/bags/transform_tree.hpp"
 #include "bags/topic_choice.hpp"
-#include "bags/transform_tree.hpp"
 
 namespace aisle {
 

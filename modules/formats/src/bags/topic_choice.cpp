@@ -7,7 +7,7 @@
 #include <cctype>
 #include <map>
 
-#include "bags/bag_scan.hpp"
+#include "aisle/formats/bags/bag_scan.hpp"
 
 namespace aisle {
 namespace {

@@ -1,4 +1,4 @@
-#include "bags/transform_tree.hpp"
+#include "aisle/formats/bags/transform_tree.hpp"
 
 #include <cmath>
 

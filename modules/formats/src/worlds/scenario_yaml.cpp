@@ -8,7 +8,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "file_limits.hpp"
 #include "worlds/scenario_fields.hpp"
-#include "worlds/world_node_reader.hpp"
+#include "object_reader.hpp"
 
 namespace aisle {
 namespace {
@@ -48,7 +48,7 @@ class ScenarioReader {
     EventTimes times;
     ScenarioEvent event;
     std::size_t faults = 0;
-    std::vector<WorldNodeReader::Section> sections;
+    std::vector<ObjectReader::Section> sections;
     std::vector<std::string_view> names;
     for_each_fault([&](std::string_view name, const auto& shipped) {
       names.push_back(name);
@@ -82,7 +82,7 @@ class ScenarioReader {
   }
 
   Scenario scenario_;
-  WorldNodeReader nodes_;
+  ObjectReader nodes_;
 };
 
 }  // namespace

@@ -6,8 +6,9 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "file_limits.hpp"
+#include "object_reader.hpp"
 #include "worlds/world_checks.hpp"
-#include "worlds/world_node_reader.hpp"
+#include "worlds/world_fields.hpp"
 
 namespace aisle {
 namespace {
@@ -21,7 +22,7 @@ class WorldReader {
 
  private:
   void read_document(const YAML::Node& document);
-  std::vector<WorldNodeReader::Section> sections();
+  std::vector<ObjectReader::Section> sections();
   void read_walls(const YAML::Node& node, const std::string& key);
   void read_wall(const YAML::Node& node, const std::string& key);
   void add_faces(const YAML::Node& node, const std::string& key, const WallLine& wall);
@@ -31,7 +32,7 @@ class WorldReader {
 
   std::string file_;
   World world_;
-  WorldNodeReader nodes_;
+  ObjectReader nodes_;
 };
 
 Result<World> WorldReader::read(const std::string& text) {
@@ -57,10 +58,10 @@ void WorldReader::read_document(const YAML::Node& document) {
   }
 }
 
-std::vector<WorldNodeReader::Section> WorldReader::sections() {
+std::vector<ObjectReader::Section> WorldReader::sections() {
   using Node = YAML::Node;
   using Key = std::string;
-  std::vector<WorldNodeReader::Section> sections = {
+  std::vector<ObjectReader::Section> sections = {
       nodes_.constant("format", "aisle.world"),
       nodes_.constant("version", "1"),
       {"walls", [this](const Node& node, const Key& key) { read_walls(node, key); }, true},

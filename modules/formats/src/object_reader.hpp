@@ -9,13 +9,14 @@
 #include <string_view>
 #include <vector>
 
+#include "object_fields.hpp"
 #include "problem_list.hpp"
-#include "worlds/world_fields.hpp"
 
 namespace aisle {
 
-/// Reads the nodes of a world file into fields; collects all problems instead of stopping at the first.
-class WorldNodeReader {
+/// Reads the nodes of a YAML file into the fields of objects; collects all problems instead of stopping at
+/// the first.
+class ObjectReader {
  public:
   /// Reads the value of a key that is not a plain field; takes the value's key path too.
   struct Section {
@@ -24,7 +25,7 @@ class WorldNodeReader {
     bool is_needed = false;
   };
 
-  explicit WorldNodeReader(const std::string& file) : problems_(file) {}
+  explicit ObjectReader(const std::string& file) : problems_(file) {}
 
   /// A needed key that has one possible value.
   Section constant(std::string_view key, std::string_view value);

@@ -1,4 +1,4 @@
-#include "worlds/world_node_reader.hpp"
+#include "object_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -26,10 +26,10 @@ std::string text_of(const YAML::Node& node) {
   return node.IsScalar() ? node.Scalar() : std::string("a list or map");
 }
 
-std::string known_keys(const ObjectFields& fields, const std::vector<WorldNodeReader::Section>& sections) {
+std::string known_keys(const ObjectFields& fields, const std::vector<ObjectReader::Section>& sections) {
   std::vector<std::string_view> keys;
   keys.reserve(fields.size() + sections.size());
-  for (const WorldNodeReader::Section& section : sections) keys.push_back(section.key);
+  for (const ObjectReader::Section& section : sections) keys.push_back(section.key);
   for (const ObjectField& field : fields) keys.push_back(field.key);
   return fmt::format("{}", fmt::join(keys, ", "));
 }
@@ -41,7 +41,7 @@ auto find_key(const Entries& entries, std::string_view key) {
 
 }  // namespace
 
-WorldNodeReader::Section WorldNodeReader::constant(std::string_view key, std::string_view value) {
+ObjectReader::Section ObjectReader::constant(std::string_view key, std::string_view value) {
   const auto read = [this, value](const YAML::Node& node, const std::string& path) {
     if (!node.IsScalar() || node.Scalar() != value)
       problem(node, path, fmt::format("is not {}, the only one supported", value));
@@ -49,8 +49,8 @@ WorldNodeReader::Section WorldNodeReader::constant(std::string_view key, std::st
   return {key, read, true};
 }
 
-void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, const ObjectFields& fields,
-                               const std::vector<Section>& sections) {
+void ObjectReader::read_map(const YAML::Node& map, const std::string& key, const ObjectFields& fields,
+                            const std::vector<Section>& sections) {
   if (!map.IsMap()) {
     return problem(map, key, fmt::format("has no keys (known: {})", known_keys(fields, sections)));
   }
@@ -80,7 +80,7 @@ void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, co
   std::for_each(sections.begin(), sections.end(), check_needed);
 }
 
-void WorldNodeReader::read_field(const YAML::Node& node, const std::string& key, const ObjectField& field) {
+void ObjectReader::read_field(const YAML::Node& node, const std::string& key, const ObjectField& field) {
   if (const auto* real = std::get_if<double*>(&field.target)) {
     if (const auto value = number(node, key, field.range)) **real = *value * field.inner_unit;
   } else if (const auto* whole = std::get_if<std::uint64_t*>(&field.target)) {
@@ -102,8 +102,8 @@ void WorldNodeReader::read_field(const YAML::Node& node, const std::string& key,
   }
 }
 
-bool WorldNodeReader::read_point(const YAML::Node& node, const std::string& key, Range range,
-                                 const PointTarget& target) {
+bool ObjectReader::read_point(const YAML::Node& node, const std::string& key, Range range,
+                              const PointTarget& target) {
   const std::vector<double*>& coordinates = target.coordinates;
   if (!node.IsSequence() || node.size() != coordinates.size()) {
     problem(node, key, coordinates.size() == 2 ? "is not [x, y]" : "is not [x, y, z]");
@@ -118,8 +118,8 @@ bool WorldNodeReader::read_point(const YAML::Node& node, const std::string& key,
   return true;
 }
 
-void WorldNodeReader::read_points(const YAML::Node& node, const std::string& key, Range range,
-                                  std::vector<Vec2>& target) {
+void ObjectReader::read_points(const YAML::Node& node, const std::string& key, Range range,
+                               std::vector<Vec2>& target) {
   for (std::size_t i = 0; i < node.size() && !is_hopeless(); ++i) {
     const std::string inner = fmt::format("{}[{}]", key, i);
     lines_.emplace(inner, line_at(node[i]));
@@ -128,8 +128,8 @@ void WorldNodeReader::read_points(const YAML::Node& node, const std::string& key
   }
 }
 
-void WorldNodeReader::read_text(const YAML::Node& node, const std::string& key, const ObjectField& field,
-                                std::string& target) {
+void ObjectReader::read_text(const YAML::Node& node, const std::string& key, const ObjectField& field,
+                             std::string& target) {
   if (!node.IsScalar()) return problem(node, key, "is not a text");
   if (node.Scalar().size() > kTextMax) {
     return problem(node, key, fmt::format("is longer than {} bytes", kTextMax));
@@ -139,15 +139,14 @@ void WorldNodeReader::read_text(const YAML::Node& node, const std::string& key, 
   target = node.Scalar();
 }
 
-void WorldNodeReader::read_word(const YAML::Node& node, const std::string& key, const WordTarget& target) {
+void ObjectReader::read_word(const YAML::Node& node, const std::string& key, const WordTarget& target) {
   const auto& words = target.words;
   const auto found = std::find(words.begin(), words.end(), text_of(node));
   if (found != words.end()) return target.choose(static_cast<std::size_t>(found - words.begin()));
   problem(node, key, fmt::format("'{}' is none of {}", printable(text_of(node)), fmt::join(words, ", ")));
 }
 
-void WorldNodeReader::read_whole_number(const YAML::Node& node, const std::string& key,
-                                        std::uint64_t& target) {
+void ObjectReader::read_whole_number(const YAML::Node& node, const std::string& key, std::uint64_t& target) {
   const std::string text = text_of(node);
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, target);
@@ -155,20 +154,20 @@ void WorldNodeReader::read_whole_number(const YAML::Node& node, const std::strin
   problem(node, key, fmt::format("'{}' is not a whole number from 0 to {}", printable(text), UINT64_MAX));
 }
 
-void WorldNodeReader::read_count(const YAML::Node& node, const std::string& key, Range range, int& target) {
+void ObjectReader::read_count(const YAML::Node& node, const std::string& key, Range range, int& target) {
   const auto value = number(node, key, range);
   if (!value) return;
   if (*value != std::floor(*value)) return problem(node, key, "is not a whole number");
   target = static_cast<int>(*value);
 }
 
-void WorldNodeReader::read_flag(const YAML::Node& node, const std::string& key, bool& target) {
+void ObjectReader::read_flag(const YAML::Node& node, const std::string& key, bool& target) {
   const std::string text = text_of(node);
   if (text != "true" && text != "false") return problem(node, key, "is neither true nor false");
   target = text == "true";
 }
 
-std::optional<double> WorldNodeReader::number(const YAML::Node& node, const std::string& key, Range range) {
+std::optional<double> ObjectReader::number(const YAML::Node& node, const std::string& key, Range range) {
   const std::string text = text_of(node);
   const std::optional<double> value = parse_number(text);
   if (!value || !std::isfinite(*value)) {
@@ -182,27 +181,27 @@ std::optional<double> WorldNodeReader::number(const YAML::Node& node, const std:
   return value;
 }
 
-bool WorldNodeReader::is_list(const YAML::Node& node, const std::string& key) {
+bool ObjectReader::is_list(const YAML::Node& node, const std::string& key) {
   if (!node.IsSequence()) problem(node, key, "is not a list");
   return node.IsSequence();
 }
 
-bool WorldNodeReader::is_room_left(const YAML::Node& node, const std::string& key, std::size_t count,
-                                   std::size_t most) {
+bool ObjectReader::is_room_left(const YAML::Node& node, const std::string& key, std::size_t count,
+                                std::size_t most) {
   if (count > most) problem(node, key, fmt::format("makes {} entries; at most {} are read", count, most));
   return count <= most;
 }
 
-void WorldNodeReader::problem(const YAML::Node& node, const std::string& key, std::string what) {
+void ObjectReader::problem(const YAML::Node& node, const std::string& key, std::string what) {
   problems_.add(line_at(node), key, std::move(what));
 }
 
-void WorldNodeReader::problem(const std::string& key, std::string what) {
+void ObjectReader::problem(const std::string& key, std::string what) {
   problems_.add(line_of(key), key, std::move(what));
 }
 
 /// The line of the key, else of the nearest key that contains it.
-long WorldNodeReader::line_of(std::string key) const {
+long ObjectReader::line_of(std::string key) const {
   while (lines_.count(key) == 0) {
     const std::size_t end = key.find_last_of(".[");
     if (end == std::string::npos) return lines_.at("");  // the file as a whole
