@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "aisle/commands/connected_robot.hpp"
 #include "aisle/commands/plan_reading.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/evaluation/exploration/exploration_evaluation.hpp"
@@ -49,6 +50,32 @@ struct Explored {
   std::optional<ExplorationScore> truth;  ///< learned building against the ground truth, where that is known
 };
 
+/// What an exploration is done with.
+struct Exploring {
+  const ExploreOptions& options;
+  const ExplorerNavigatorParams& params;
+  Progress& progress;
+};
+
+Result<Explored> explore_once(const Exploring& exploring, Vehicle& vehicle, const TruthSource* truth,
+                              std::optional<InterruptedRun> former, std::optional<SessionRecord>& session) {
+  const ExplorerNavigatorParams& params = exploring.params;
+  const auto explorer =
+      make_explorer(explorer_origin(params, choice_of(exploring.options)), vehicle.description());
+  if (!explorer) return explorer.problems();
+  ExplorerNavigator& navigator = **explorer;
+  auto mission = drive_exploration(vehicle, truth, navigator, std::move(former), session, exploring.progress);
+  if (!mission) return mission.problems();
+  if (mission->log.scans.empty())
+    return Problem{{"explore"}, "ended before the first scan was taken: " + mission->end.why};
+  MapResult map =
+      build_map(mission->log, params.learner.mapping, {.odometry_delay_s = 0.0}, false, exploring.progress);
+  FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
+  draw_grazing_walls(map.walls, floor);
+  CorridorGraph corridors = trace_corridors(floor, map.T_map_vehicle.front().position(), {});
+  return Explored{std::move(*mission), std::move(map), std::move(floor), std::move(corridors), {}};
+}
+
 SensorField sensor_field(const ExplorationPlan& plan, const LaserLog& log) {
   const auto& markers = plan.setting.vehicle.description.laser_markers;
   const std::size_t beams = log.scans.front().ranges_m.size();
@@ -58,26 +85,18 @@ SensorField sensor_field(const ExplorationPlan& plan, const LaserLog& log) {
           .height_m = markers ? markers->height_m : plan.setting.vehicle.simulated.scanner.height_m};
 }
 
-Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPlan& plan,
-                              SimulatedVehicle& simulated, std::optional<InterruptedRun> former,
-                              std::optional<SessionRecord>& session, Progress& progress) {
-  const VehicleDescription& vehicle = plan.setting.vehicle.description;
-  const auto explorer = make_explorer(explorer_origin(plan.params, choice_of(options)), vehicle);
-  if (!explorer) return explorer.problems();
-  ExplorerNavigator& navigator = **explorer;
-  auto mission = drive_exploration(simulated, &simulated, navigator, std::move(former), session, progress);
-  if (!mission) return mission.problems();
-  const LaserLog& log = mission->log;
-  MapResult map = build_map(log, plan.params.learner.mapping, {.odometry_delay_s = 0.0}, false, progress);
-  FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
-  draw_grazing_walls(map.walls, floor);
-  CorridorGraph corridors = trace_corridors(floor, map.T_map_vehicle.front().position(), {});
-  std::optional<ExplorationScore> truth;
-  if (mission->is_simulated())
-    truth = evaluate_exploration(
-        plan.setting.world, vehicle, sensor_field(plan, log),
-        {mission->T_world_scan, map_in_world(map.T_map_vehicle, mission->T_world_scan), floor, map.walls});
-  return Explored{std::move(*mission), std::move(map), std::move(floor), std::move(corridors), truth};
+/// Explores in the simulator, and compares what was learned with the world.
+Result<Explored> explore_world(const Exploring& exploring, const ExplorationPlan& plan,
+                               SimulatedVehicle& simulated, std::optional<InterruptedRun> former,
+                               std::optional<SessionRecord>& session) {
+  auto explored = explore_once(exploring, simulated, &simulated, std::move(former), session);
+  if (!explored) return explored;
+  const std::vector<Pose2>& T_world_scan = explored->mission.T_world_scan;
+  explored->truth = evaluate_exploration(
+      plan.setting.world, plan.setting.vehicle.description, sensor_field(plan, explored->mission.log),
+      {T_world_scan, map_in_world(explored->map.T_map_vehicle, T_world_scan), explored->floor,
+       explored->map.walls});
+  return explored;
 }
 
 bool has_certificate(const Explored& explored) {
@@ -129,7 +148,8 @@ std::string text_of(const Explored& explored) {
 }
 
 /// The run to continue; it must have been driven by the same explorer.
-Result<std::optional<InterruptedRun>> former_run(const ExploreOptions& options, const SessionOrigin& origin) {
+Result<std::optional<InterruptedRun>> former_run(const ExploreOptions& options, const SessionOrigin& origin,
+                                                 bool is_simulated) {
   if (options.resumed.empty()) return std::optional<InterruptedRun>();
   const std::string file = options.resumed.string();
   std::error_code none;
@@ -147,9 +167,30 @@ Result<std::optional<InterruptedRun>> former_run(const ExploreOptions& options, 
         fmt::format("the run was driven by '{} {}' with its parameters; it cannot be continued by '{} {}'",
                     driven.navigator, driven.route, origin.navigator, origin.route)};
   InterruptedRun run{std::move(*cycles), std::move(truth->T_map_vehicle)};
-  if (run.T_world_vehicle.empty())
-    return Problem{{file, 0, "/truth/pose"}, "is empty: only a simulated run can be continued"};
+  if (is_simulated && run.T_world_vehicle.empty())
+    return Problem{{file, 0, "/truth/pose"}, "is empty: the simulator cannot continue the run of a robot"};
+  if (!is_simulated && !run.T_world_vehicle.empty())
+    return Problem{{file, 0, "/truth/pose"}, "was simulated: a robot cannot continue that run"};
   return std::optional(std::move(run));
+}
+
+JudgedExploration judged(const ExplorerNavigatorParams& params, std::string building_name,
+                         Explored explored) {
+  Outcome outcome{.verb = "explore"};
+  outcome.figures = figures_of(explored);
+  outcome.ok = outcome.figures["certificate"].get<bool>();
+  outcome.text = text_of(explored);
+  Building building{std::move(building_name), explored.map.has_dominant_direction,
+                    std::move(explored.map.walls)};
+  building.places.push_back({kHomePlace, explored.map.T_map_vehicle.front()});
+  building.corridors = std::move(explored.corridors);
+  building.floor = std::move(explored.floor);
+  return {std::move(outcome),
+          std::move(building),
+          std::move(explored.mission.record),
+          std::move(explored.map.T_map_vehicle),
+          std::move(explored.mission.log),
+          params.learner.mapping.segments};
 }
 
 }  // namespace
@@ -189,42 +230,53 @@ Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, const
                                             Console& console) {
   SessionOrigin origin = explorer_origin(plan.params, choice_of(options));
   origin.seed = options.seed;
-  auto former = former_run(options, origin);
+  auto former = former_run(options, origin, true);
   if (!former) return former.problems();
   SimulatedVehicle vehicle = vehicle_in(
       plan.setting, *former ? (*former)->T_world_vehicle.back() : plan.T_world_start, options.seed);
   auto session = open_session(options.session, options.force, vehicle, &vehicle, origin, console.watcher);
   if (!session) return session.problems();
-  auto explored = explore_once(options, plan, vehicle, std::move(*former), *session, console.progress);
+  auto explored =
+      explore_world({options, plan.params, console.progress}, plan, vehicle, std::move(*former), *session);
   if (!explored) return explored.problems();
   if (Problems problems = close_session(*session); !problems.empty()) return problems;
-  Outcome outcome{.verb = "explore"};
-  outcome.figures = figures_of(*explored);
-  outcome.figures["seed"] = options.seed;
-  outcome.figures["order"] = name_of(options.order);
-  outcome.ok = outcome.figures["certificate"].get<bool>();
+  JudgedExploration result = judged(plan.params, plan.setting.world.name, std::move(*explored));
+  result.outcome.figures["seed"] = options.seed;
+  result.outcome.figures["order"] = name_of(options.order);
   if (options.compares) {
     ExploreOptions baseline = options;
     baseline.order = ExploringOrder::kNearest;
     SimulatedVehicle another = vehicle_in(plan.setting, plan.T_world_start, options.seed);
     std::optional<SessionRecord> unrecorded;
-    const auto nearest = explore_once(baseline, plan, another, {}, unrecorded, console.progress);
+    const auto nearest =
+        explore_world({baseline, plan.params, console.progress}, plan, another, {}, unrecorded);
     if (!nearest) return nearest.problems();
-    outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m(), 3);
-    outcome.figures["nearest_frontier_certificate"] = has_certificate(*nearest);
+    result.outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m(), 3);
+    result.outcome.figures["nearest_frontier_certificate"] = has_certificate(*nearest);
   }
-  outcome.text = text_of(*explored);
-  Building building{plan.setting.world.name, explored->map.has_dominant_direction,
-                    std::move(explored->map.walls)};
-  building.places.push_back({kHomePlace, explored->map.T_map_vehicle.front()});
-  building.corridors = std::move(explored->corridors);
-  building.floor = std::move(explored->floor);
-  return JudgedExploration{std::move(outcome),
-                           std::move(building),
-                           std::move(explored->mission.record),
-                           std::move(explored->map.T_map_vehicle),
-                           std::move(explored->mission.log),
-                           plan.params.learner.mapping.segments};
+  return result;
+}
+
+Result<JudgedExploration> explore_with_robot(const ExploreOptions& options, Console& console) {
+  ExplorerNavigatorParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  const SessionOrigin origin = explorer_origin(params, choice_of(options));
+  auto former = former_run(options, origin, false);
+  if (!former) return former.problems();
+  auto robot = connect_robot(options.connection, console);
+  if (!robot) return robot.problems();
+  ConnectedVehicle& vehicle = *(*robot)->vehicle;
+  auto session = open_session(options.session, options.force, vehicle, nullptr, origin, console.watcher);
+  if (!session) return session.problems();
+  auto explored =
+      explore_once({options, params, console.progress}, vehicle, nullptr, std::move(*former), *session);
+  if (!explored) return explored.problems();
+  if (Problems problems = close_session(*session); !problems.empty()) return problems;
+  JudgedExploration result = judged(params, options.connection.stem().string(), std::move(*explored));
+  result.outcome.figures["order"] = name_of(options.order);
+  result.outcome.figures["connection"] = counts_json(vehicle.counts());
+  return result;
 }
 
 ExplorationPicture picture_of(const JudgedExploration& explored) {

@@ -20,7 +20,7 @@ struct ExplorationPlan {
   Pose2 T_world_start;
 };
 
-/// A finished exploration, judged by the ground truth.
+/// A finished exploration, judged by the ground truth where that is known.
 struct JudgedExploration {
   Outcome outcome;
   Building building;  ///< as learned, with its floor
@@ -39,6 +39,9 @@ Result<ExplorationPlan> read_exploration_plan(const ExploreOptions& options, Sim
 /// Explores, judges the result, and keeps what was learned.
 Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, const ExplorationPlan& plan,
                                             Console& console);
+
+/// Lets the robot of options.connection explore, and keeps what was learned. Nobody knows the truth.
+Result<JudgedExploration> explore_with_robot(const ExploreOptions& options, Console& console);
 
 /// The picture refers to the exploration, which must outlive it.
 ExplorationPicture picture_of(const JudgedExploration& explored);

@@ -269,6 +269,89 @@ struct TwistStamped {
   friend bool operator==(const TwistStamped&, const TwistStamped&) = default;
 };
 
+struct AckermannDrive {
+  float steering_angle = 0;  ///< [rad] left positive, of a wheel in the middle of the front axle
+  float steering_angle_velocity = 0;
+  float speed = 0;  ///< [m/s] of the middle of the rear axle
+  float acceleration = 0;
+  float jerk = 0;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("steering_angle", self.steering_angle);
+    visit("steering_angle_velocity", self.steering_angle_velocity);
+    visit("speed", self.speed);
+    visit("acceleration", self.acceleration);
+    visit("jerk", self.jerk);
+  }
+  friend bool operator==(const AckermannDrive&, const AckermannDrive&) = default;
+};
+
+struct AckermannDriveStamped {
+  static constexpr const char* kType = "ackermann_msgs/msg/AckermannDriveStamped";
+  Header header;
+  AckermannDrive drive;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("drive", self.drive);
+  }
+  friend bool operator==(const AckermannDriveStamped&, const AckermannDriveStamped&) = default;
+};
+
+struct BatteryState {
+  static constexpr const char* kType = "sensor_msgs/msg/BatteryState";
+  Header header;
+  float voltage = 0;
+  float temperature = 0;
+  float current = 0;
+  float charge = 0;
+  float capacity = 0;
+  float design_capacity = 0;
+  float percentage = 0;  ///< of the full charge, 0 to 1; NaN: unknown
+  std::uint8_t power_supply_status = 0;
+  std::uint8_t power_supply_health = 0;
+  std::uint8_t power_supply_technology = 0;
+  bool present = false;
+  std::vector<float> cell_voltage;
+  std::vector<float> cell_temperature;
+  std::string location;
+  std::string serial_number;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("voltage", self.voltage);
+    visit("temperature", self.temperature);
+    visit("current", self.current);
+    visit("charge", self.charge);
+    visit("capacity", self.capacity);
+    visit("design_capacity", self.design_capacity);
+    visit("percentage", self.percentage);
+    visit("power_supply_status", self.power_supply_status);
+    visit("power_supply_health", self.power_supply_health);
+    visit("power_supply_technology", self.power_supply_technology);
+    visit("present", self.present);
+    visit("cell_voltage", self.cell_voltage);
+    visit("cell_temperature", self.cell_temperature);
+    visit("location", self.location);
+    visit("serial_number", self.serial_number);
+  }
+  friend bool operator==(const BatteryState&, const BatteryState&) = default;
+};
+
+struct Clock {
+  static constexpr const char* kType = "rosgraph_msgs/msg/Clock";
+  Time clock;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("clock", self.clock);
+  }
+  friend bool operator==(const Clock&, const Clock&) = default;
+};
+
 struct PoseWithCovariance {
   Pose pose;
   std::array<double, 36> covariance{};

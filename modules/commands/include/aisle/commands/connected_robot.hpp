@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/connection/connected_vehicle.hpp"
+#include "aisle/core/clock.hpp"
+#include "aisle/wire/wire.hpp"
+
+namespace aisle {
+
+/// A robot, and what it is reached by.
+struct ConnectedRobot {
+  SteadyClock clock;
+  std::unique_ptr<Wire> wire;
+  std::unique_ptr<ConnectedVehicle> vehicle;  ///< last: it ends first
+};
+
+/// Connects to the robot of a connection file. Holding and going on are said as warnings.
+Result<std::unique_ptr<ConnectedRobot>> connect_robot(const std::filesystem::path& connection_file,
+                                                      Console& console);
+
+/// The part of the network that a connection names.
+WireSettings wire_settings(const ConnectedNetwork& network);
+
+/// The vehicle file that a connection names: beside it, or a shipped one.
+Result<VehicleDescription> vehicle_of(const Connection& connection);
+
+nlohmann::ordered_json counts_json(const ConnectionCounts& counts);
+
+}  // namespace aisle

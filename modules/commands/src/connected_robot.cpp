@@ -1,0 +1,55 @@
+#include "aisle/commands/connected_robot.hpp"
+
+#include <utility>
+
+#include "aisle/commands/shipped_files.hpp"
+#include "aisle/core/rounded.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
+
+namespace aisle {
+
+WireSettings wire_settings(const ConnectedNetwork& network) {
+  return {.domain = static_cast<unsigned>(network.domain),
+          .interface_address = network.interface_address,
+          .peers = network.peers,
+          .announces_by_multicast = network.multicast};
+}
+
+Result<VehicleDescription> vehicle_of(const Connection& connection) {
+  const std::filesystem::path beside =
+      std::filesystem::path(connection.file).parent_path() / connection.vehicle;
+  std::error_code none;
+  const bool is_file = std::filesystem::is_regular_file(beside, none);
+  auto model = read_shipped_or_own(
+      "vehicles", is_file ? std::filesystem::absolute(beside).string() : connection.vehicle, read_vehicle);
+  if (!model) return model.problems();
+  return std::move(model->description);
+}
+
+Result<std::unique_ptr<ConnectedRobot>> connect_robot(const std::filesystem::path& connection_file,
+                                                      Console& console) {
+  const auto connection = read_connection(connection_file);
+  if (!connection) return connection.problems();
+  const auto vehicle = vehicle_of(*connection);
+  if (!vehicle) return vehicle.problems();
+  auto wire = Wire::open(wire_settings(connection->network));
+  if (!wire) return wire.problems();
+  auto robot = std::make_unique<ConnectedRobot>();
+  robot->wire = std::move(*wire);
+  auto connected = ConnectedVehicle::connect(*connection, *vehicle,
+                                             {*robot->wire, robot->clock, console.progress, console.warn});
+  if (!connected) return connected.problems();
+  robot->vehicle = std::move(*connected);
+  return robot;
+}
+
+nlohmann::ordered_json counts_json(const ConnectionCounts& counts) {
+  return {{"messages", counts.messages},           {"unreadable", counts.unreadable},
+          {"scans_skipped", counts.scans_skipped}, {"scans_foreign", counts.scans_foreign},
+          {"out_of_order", counts.out_of_order},   {"clock_gaps", counts.clock_gaps},
+          {"odometry_late", counts.odometry_late}, {"odometry_leaps", counts.odometry_leaps},
+          {"commands_aged", counts.commands_aged}, {"holds", counts.holds},
+          {"held_s", rounded(counts.held_s, 1)}};
+}
+
+}  // namespace aisle

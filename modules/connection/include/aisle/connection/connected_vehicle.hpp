@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "aisle/connection/connection_counts.hpp"
+#include "aisle/core/clock.hpp"
+#include "aisle/core/progress.hpp"
+#include "aisle/core/result.hpp"
+#include "aisle/formats/connections/connection_file.hpp"
+#include "aisle/vehicle/vehicle.hpp"
+#include "aisle/wire/wire.hpp"
+
+namespace aisle {
+
+/// A robot that speaks ROS 2, as a vehicle; see docs/explanation/connection.md. It is stopped when nothing
+/// newer is known: however a mission ends, the robot is told to stand still.
+class ConnectedVehicle final : public Vehicle {
+ public:
+  /// What the vehicle needs of its surroundings; all must outlive it.
+  struct Surroundings {
+    Wire& wire;
+    const Clock& clock;
+    Progress& progress;  ///< asked several times a second while the vehicle waits; may throw Interrupted
+    std::function<void(const std::string&)> note;  ///< "held: the emergency stop is pressed"; never empty
+  };
+
+  /// Waits up to 10 s for scans, odometry, the scanner's mount and somebody who reads the commands.
+  /// @param vehicle  from the vehicle file; its scanner is replaced by the robot's, unless the mounts are of
+  ///                 the file; its limits by those of the connection
+  /// @return problems, each with what there is instead. Nothing has been commanded then
+  static Result<std::unique_ptr<ConnectedVehicle>> connect(const Connection& connection,
+                                                           const VehicleDescription& vehicle,
+                                                           Surroundings surroundings);
+  ~ConnectedVehicle() override;
+  ConnectedVehicle(const ConnectedVehicle&) = delete;
+  ConnectedVehicle& operator=(const ConnectedVehicle&) = delete;
+
+  /// Scanner, limits and cycle are those of the robot.
+  const VehicleDescription& description() const override;
+
+  /// One observation per scan, stamped with the scan's end; the first is one cycle after 0. While the vehicle
+  /// is held (an emergency stop, no odometry, somebody else who sends commands), this waits and its clock
+  /// stands still.
+  /// @throws Interrupted  from the progress
+  std::optional<Observation> sense() override;
+  std::string end_reason() const override;
+  void act(const Command& command) override;
+
+  ConnectionCounts counts() const;
+
+ private:
+  class Cycle;
+  explicit ConnectedVehicle(std::unique_ptr<Cycle> cycle);
+
+  std::unique_ptr<Cycle> cycle_;
+};
+
+}  // namespace aisle

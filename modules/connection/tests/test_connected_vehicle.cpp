@@ -1,0 +1,359 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+
+#include "aisle/connection/connected_vehicle.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/ros_time.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
+#include "fake_wire.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double kTick_s = 0.02;
+
+/// A robot at the other end of the wire. It lives while the vehicle waits: twenty milliseconds each time.
+class ScriptedRobot final : public Progress {
+ public:
+  ScriptedRobot() {
+    wire.endpoints_of_others = {
+        {WireEndpoint::Kind::kSubscriber, "/cmd_vel", "geometry_msgs/msg/Twist", true, false, "robot"},
+        {WireEndpoint::Kind::kPublisher, "/scan", "sensor_msgs/msg/LaserScan", false, false, "robot"}};
+  }
+
+  void report(std::string_view, std::size_t, std::size_t) override {
+    clock.move(kTick_s);
+    stamp_s += kTick_s;
+    T_odom_base = T_odom_base * Pose2{speed_mps * kTick_s, 0, 0};
+    ++ticks;
+    tell_mount();  // also wakes whoever waits, when nothing else is sent
+    if (script) script();
+    if (sends_odometry) tell_odometry();
+    if (ticks % 5 == 0 && sends_scans) tell_scan();
+  }
+
+  void tell_mount() {
+    ros::TransformStamped mount;
+    mount.header.frame_id = "base_link";
+    mount.child_frame_id = "laser";
+    mount.transform.translation = {0.1, 0, 0.2};
+    if (is_upside_down) mount.transform.rotation = {1, 0, 0, 0};
+    if (!has_mount) mount.child_frame_id = "camera";
+    wire.tell("/tf_static", cdr_bytes(ros::TFMessage{{mount}}));
+  }
+  void tell_odometry() {
+    ros::Odometry odometry;
+    odometry.header = header("odom");
+    odometry.pose.pose.position = {T_odom_base.x, T_odom_base.y, 0};
+    odometry.pose.pose.orientation = {0, 0, std::sin(T_odom_base.theta / 2), std::cos(T_odom_base.theta / 2)};
+    wire.tell("/odom", cdr_bytes(odometry));
+  }
+  void tell_scan() {
+    ros::LaserScan scan;
+    scan.header = header("laser");
+    scan.angle_min = -1;
+    scan.angle_max = 1;
+    scan.angle_increment = 0.5;
+    scan.range_min = 0.1F;
+    scan.range_max = 8;
+    scan.ranges = {1, 2, 3, HUGE_VALF, NAN};
+    wire.tell("/scan", cdr_bytes(scan));
+  }
+  void tell_stop(bool is_pressed) { wire.tell("/stop", cdr_bytes(ros::Bool{is_pressed})); }
+  ros::Header header(const std::string& frame) const { return {ros::time_of(ros::stamp_ns(stamp_s)), frame}; }
+
+  FakeWire wire;
+  MovedClock clock;
+  double stamp_s = 5000;  // by the robot's clock
+  Pose2 T_odom_base{2, 1, kPi / 2};
+  double speed_mps = 0.3;
+  bool sends_odometry = true;
+  bool sends_scans = true;
+  bool has_mount = true;
+  bool is_upside_down = false;
+  long ticks = 0;
+  std::function<void()> script;  ///< at every tick
+  std::vector<std::string> notes;
+};
+
+Connection plain_connection() {
+  return *parse_connection("format: aisle.connection\nversion: 1\nvehicle: cart\n", "robot.yaml");
+}
+
+VehicleDescription cart() {
+  VehicleDescription vehicle;
+  vehicle.is_differential = true;
+  return vehicle;
+}
+
+class ConnectedVehicleTest : public testing::Test {
+ protected:
+  Result<std::unique_ptr<ConnectedVehicle>> connect() {
+    return ConnectedVehicle::connect(
+        connection, cart(),
+        {robot.wire, robot.clock, robot, [this](const std::string& note) { robot.notes.push_back(note); }});
+  }
+  std::string problem_of_connecting() {
+    const auto vehicle = connect();
+    return vehicle ? "connected" : to_string(vehicle.problems().front());
+  }
+
+  ScriptedRobot robot;
+  Connection connection = plain_connection();
+};
+
+TEST_F(ConnectedVehicleTest, TheScannerIsWhatTheScansAndTheMountSay) {
+  const auto vehicle = connect();
+  ASSERT_TRUE(vehicle.ok()) << to_string(vehicle.problems().front());
+  const VehicleDescription& description = (*vehicle)->description();
+  EXPECT_NEAR(description.scanner->first_angle_rad, -1, 1e-6);
+  EXPECT_NEAR(description.scanner->angle_step_rad, 0.5, 1e-6);
+  EXPECT_NEAR(description.scanner->range_max_m, 8, 1e-6);
+  EXPECT_THAT(description.scanner->T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 1e-9, 1e-9));
+  EXPECT_NEAR(description.cycle_s, 0.1, 1e-6);
+}
+
+TEST_F(ConnectedVehicleTest, ObservationsHaveTheScanAndTheWayToIt) {
+  const auto vehicle = connect();
+  const auto first = (*vehicle)->sense();
+  EXPECT_NEAR(first->stamp_s, 0.1, 1e-6);
+  EXPECT_THAT(first->scan->ranges_m, ElementsAre(1, 2, 3, 8, 0));
+  double driven_m = 0;
+  for (int i = 1; i <= 20; ++i) {
+    const auto observation = (*vehicle)->sense();
+    EXPECT_NEAR(observation->stamp_s, 0.1 * (i + 1), 1e-6);
+    driven_m += odometry_step((*vehicle)->description(), observation->odometry).x;
+  }
+  EXPECT_NEAR(driven_m, 20 * 0.1 * 0.3, 0.01);
+}
+
+TEST_F(ConnectedVehicleTest, AScannerThatHangsUpsideDownIsTurnedOver) {
+  robot.is_upside_down = true;
+  const auto vehicle = connect();
+  EXPECT_THAT((*vehicle)->sense()->scan->ranges_m, ElementsAre(0, 8, 3, 2, 1));
+}
+
+TEST_F(ConnectedVehicleTest, TheAxleMayLieElsewhereThanTheRobotsBaseFrame) {
+  connection.frames.p_base_axle_m = {-0.2, 0};
+  const auto vehicle = connect();
+  EXPECT_THAT((*vehicle)->description().scanner->T_vehicle_laser, PoseNear(Pose2{0.3, 0, 0}, 1e-9, 1e-9));
+}
+
+TEST_F(ConnectedVehicleTest, LimitsAreOnlyEverLowered) {
+  connection.limits.speed_max_mps = 0.2;
+  EXPECT_EQ((*connect())->description().limits.speed_max_mps, 0.2);
+  connection.limits.speed_max_mps = 5;
+  EXPECT_THAT(problem_of_connecting(), HasSubstr("above the vehicle's own limit"));
+}
+
+TEST_F(ConnectedVehicleTest, WithoutScansItSaysWhatThereIs) {
+  connection.scan.topic = "lidar";
+  EXPECT_THAT(problem_of_connecting(),
+              testing::AllOf(HasSubstr("/lidar"), HasSubstr("/scan (sensor_msgs/msg/LaserScan)")));
+}
+
+TEST_F(ConnectedVehicleTest, ATopicOfAnotherTypeIsNamed) {
+  connection.scan.topic = "points";
+  robot.wire.endpoints_of_others.push_back(
+      {WireEndpoint::Kind::kPublisher, "/points", "sensor_msgs/msg/PointCloud2", false, false, "robot"});
+  EXPECT_THAT(problem_of_connecting(),
+              HasSubstr("is a sensor_msgs/msg/PointCloud2, not a sensor_msgs/msg/LaserScan"));
+}
+
+TEST_F(ConnectedVehicleTest, APublisherThatIsSilentIsSaidToBe) {
+  robot.sends_scans = false;
+  EXPECT_THAT(problem_of_connecting(), HasSubstr("is published, but nothing readable of it arrived"));
+}
+
+TEST_F(ConnectedVehicleTest, AScannerWithoutAMountIsRefused) {
+  robot.has_mount = false;
+  EXPECT_THAT(problem_of_connecting(), HasSubstr("no fixed transforms lead from 'base_link' to 'laser'"));
+}
+
+TEST_F(ConnectedVehicleTest, NothingIsCommandedWhereSomebodyElseCommands) {
+  robot.wire.endpoints_of_others.push_back(
+      {WireEndpoint::Kind::kPublisher, "/cmd_vel", "geometry_msgs/msg/Twist", true, false, "teleop"});
+  EXPECT_THAT(problem_of_connecting(), HasSubstr("another program sends commands on /cmd_vel"));
+  EXPECT_TRUE(robot.wire.sent("/cmd_vel")->all().empty());
+}
+
+TEST_F(ConnectedVehicleTest, NothingIsCommandedWhereNobodyReads) {
+  robot.wire.endpoints_of_others.clear();
+  EXPECT_THAT(problem_of_connecting(), HasSubstr("nobody reads this topic"));
+  EXPECT_TRUE(robot.wire.sent("/cmd_vel")->all().empty());
+}
+
+TEST_F(ConnectedVehicleTest, AnEmptyBatteryStartsNothing) {
+  connection.battery = {"battery", 0.2};
+  robot.script = [&] {
+    ros::BatteryState battery;
+    battery.percentage = 0.1F;
+    robot.wire.tell("/battery", cdr_bytes(battery));
+  };
+  EXPECT_THAT(problem_of_connecting(), HasSubstr("has 10 % left"));
+}
+
+TEST_F(ConnectedVehicleTest, EndsWhenTheScansAreSilent) {
+  const auto vehicle = connect();
+  EXPECT_TRUE((*vehicle)->sense().has_value());
+  robot.sends_scans = false;
+  EXPECT_FALSE((*vehicle)->sense().has_value());
+  EXPECT_EQ((*vehicle)->end_reason(), "/scan silent for 1.0 s");
+}
+
+TEST_F(ConnectedVehicleTest, IsHeldWithoutOdometryAndGoesOnWithIt) {
+  const auto vehicle = connect();
+  EXPECT_TRUE((*vehicle)->sense().has_value());
+  const long gone = robot.ticks;
+  robot.script = [&] { robot.sends_odometry = robot.ticks - gone < 5 || robot.ticks - gone > 40; };
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE((*vehicle)->sense().has_value());
+  EXPECT_THAT(robot.notes, ElementsAre("held: /odom is silent", "goes on"));
+  EXPECT_EQ((*vehicle)->counts().holds, 1U);
+}
+
+TEST_F(ConnectedVehicleTest, EndsWhenTheOdometryStaysSilent) {
+  const auto vehicle = connect();
+  robot.sends_odometry = false;
+  while ((*vehicle)->sense()) {
+  }
+  EXPECT_EQ((*vehicle)->end_reason(), "/odom silent for 1.0 s");
+}
+
+TEST_F(ConnectedVehicleTest, OneLeapOfTheOdometryIsLeftOutAndASecondEndsTheMission) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  robot.T_odom_base = robot.T_odom_base * Pose2{3, 0, 0};
+  const auto after = (*vehicle)->sense();
+  EXPECT_LT(odometry_step((*vehicle)->description(), after->odometry).position().norm(), 0.05);
+  EXPECT_EQ((*vehicle)->counts().odometry_leaps, 1U);
+  robot.T_odom_base = robot.T_odom_base * Pose2{0, 3, 0};
+  while ((*vehicle)->sense()) {
+  }
+  EXPECT_THAT((*vehicle)->end_reason(), HasSubstr("leapt twice"));
+}
+
+TEST_F(ConnectedVehicleTest, ARestartedRobotEndsTheMission) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  robot.T_odom_base = {};
+  while ((*vehicle)->sense()) {
+  }
+  EXPECT_THAT((*vehicle)->end_reason(), HasSubstr("restarted"));
+}
+
+TEST_F(ConnectedVehicleTest, AClockThatJumpsBackEndsTheMission) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  robot.stamp_s -= 100;
+  while ((*vehicle)->sense()) {
+  }
+  EXPECT_EQ((*vehicle)->end_reason(), "the clock of its scans jumped back by 99.9 s");
+}
+
+TEST_F(ConnectedVehicleTest, AClockThatJumpsAheadIsCountedAndTheWayIsKept) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  robot.stamp_s += 50;
+  EXPECT_TRUE((*vehicle)->sense().has_value());
+  EXPECT_EQ((*vehicle)->counts().clock_gaps, 1U);
+  EXPECT_EQ((*vehicle)->counts().odometry_leaps, 0U);
+}
+
+TEST_F(ConnectedVehicleTest, WhileTheEmergencyStopIsPressedTheMissionsClockStandsStill) {
+  connection.emergency_stops = {{"stop", 0}};
+  const auto vehicle = connect();
+  const double before_s = (*vehicle)->sense()->stamp_s;
+  robot.tell_stop(true);
+  const long pressed = robot.ticks;
+  robot.script = [&] {
+    if (robot.ticks == pressed + 250) robot.tell_stop(false);
+  };
+  const auto after = (*vehicle)->sense();
+  EXPECT_NEAR(after->stamp_s, before_s + 0.1, 0.02);
+  EXPECT_NEAR(odometry_step((*vehicle)->description(), after->odometry).x, 5 * 0.3, 0.05)
+      << "the way that it was pushed";
+  EXPECT_THAT(robot.notes, ElementsAre("held: the emergency stop /stop is pressed", "goes on"));
+  EXPECT_NEAR((*vehicle)->counts().held_s, 5, 0.2);
+}
+
+TEST_F(ConnectedVehicleTest, ASilentEmergencyStopCountsAsPressed) {
+  connection.emergency_stops = {{"stop", 0.5}};
+  robot.script = [&] {
+    if (robot.ticks < 100) robot.tell_stop(false);
+  };
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  const long from = robot.ticks;
+  robot.script = [&] {
+    if (robot.ticks > from + 50) throw Interrupted{};
+  };
+  EXPECT_THROW(while ((*vehicle)->sense()){}, Interrupted);
+  EXPECT_THAT(robot.notes, ElementsAre("held: the emergency stop /stop is silent"));
+}
+
+TEST_F(ConnectedVehicleTest, IsHeldWhileAnotherProgramCommands) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  const WireEndpoint other{
+      WireEndpoint::Kind::kPublisher, "/cmd_vel", "geometry_msgs/msg/Twist", true, false, "teleop"};
+  robot.wire.endpoints_of_others.push_back(other);
+  const long from = robot.ticks;
+  robot.script = [&] {
+    if (robot.ticks == from + 50) std::erase(robot.wire.endpoints_of_others, other);
+  };
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE((*vehicle)->sense().has_value());
+  EXPECT_THAT(robot.notes, ElementsAre("held: another program sends commands on /cmd_vel", "goes on"));
+}
+
+TEST_F(ConnectedVehicleTest, ABumperTouchesInTheCycleInWhichItIsPressed) {
+  connection.bumpers = {{"bumper", 0}};
+  const auto vehicle = connect();
+  EXPECT_FALSE((*vehicle)->sense()->bumper_pressed);
+  robot.wire.tell("/bumper", cdr_bytes(ros::Bool{true}));
+  robot.wire.tell("/bumper", cdr_bytes(ros::Bool{false}));
+  EXPECT_TRUE((*vehicle)->sense()->bumper_pressed);
+  EXPECT_FALSE((*vehicle)->sense()->bumper_pressed);
+}
+
+TEST_F(ConnectedVehicleTest, MessagesThatCannotBeReadEndTheMission) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  robot.sends_scans = false;
+  robot.script = [&] { robot.wire.tell("/scan", "nonsense"); };
+  robot.sends_odometry = false;
+  while ((*vehicle)->sense()) {
+  }
+  EXPECT_THAT((*vehicle)->end_reason(),
+              HasSubstr("cannot be read, the last of them sensor_msgs/msg/LaserScan"));
+}
+
+TEST_F(ConnectedVehicleTest, ScansThatWaitTooLongAreSkippedAndTheWayIsKept) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  for (int i = 0; i < 50; ++i) robot.report("", 0, 0);  // the mission thinks for a second
+  double driven_m = 0;
+  for (int i = 0; i < 3; ++i)
+    driven_m += odometry_step((*vehicle)->description(), (*vehicle)->sense()->odometry).x;
+  EXPECT_GE((*vehicle)->counts().scans_skipped, 7U);
+  EXPECT_NEAR(driven_m, 0.3 * 1.1, 0.05);
+}
+
+TEST_F(ConnectedVehicleTest, AnInterruptionEndsInStops) {
+  auto vehicle = connect();
+  (*vehicle)->sense();
+  (*vehicle)->act({.speed_mps = 0.3});
+  robot.script = [] { throw Interrupted{}; };
+  EXPECT_THROW((*vehicle)->sense(), Interrupted);
+  vehicle->reset();
+  const auto all = robot.wire.sent("/cmd_vel")->all();
+  EXPECT_EQ(*parse_cdr<ros::Twist>(all.back()), ros::Twist{});
+}
+
+}  // namespace
+}  // namespace aisle
