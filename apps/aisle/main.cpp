@@ -108,6 +108,7 @@ int run_program(int argc, char** argv) {
   add_calibrate_verb(app, work);
   add_drive_verb(app, work);
   add_explore_verb(app, work);
+  add_connect_verb(app, work);
   add_guide_verbs(app, work);
   add_learning_verbs(app, work);
   add_live_verb(app, work);

@@ -60,11 +60,16 @@ void CommandOutlet::hold(bool is_held) {
   wake_.notify_all();
 }
 
+void CommandOutlet::fall_silent(bool is_silent) {
+  const std::lock_guard lock(mutex_);
+  is_silent_ = is_silent;
+}
+
 void CommandOutlet::run() {
   std::unique_lock lock(mutex_);
   Command latest = wanted_;
   while (!is_over_) {
-    send();
+    if (!is_silent_) send();
     latest = wanted_;
     const bool was_held = is_held_;
     wake_.wait_for(lock, kPeriod, [&] { return is_over_ || is_held_ != was_held || wanted_ != latest; });

@@ -40,7 +40,9 @@ class CommandOutlet {
   /// While held, only stops are sent; commands from before do not come back.
   void hold(bool is_held);
 
-  std::size_t subscribers() const { return publisher_->subscribers(); }
+  /// While silent, nothing is sent but the stops at the end.
+  void fall_silent(bool is_silent);
+
   /// How often a stop replaced a command that had become too old while the vehicle was moving.
   std::size_t aged() const { return aged_; }
 
@@ -62,6 +64,7 @@ class CommandOutlet {
   double wanted_at_s_ = 0;
   double sent_at_s_ = 0;
   bool is_held_ = false;
+  bool is_silent_ = false;
   bool is_over_ = false;
   std::atomic<std::size_t> aged_ = 0;
   std::thread thread_;

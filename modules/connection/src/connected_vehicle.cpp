@@ -55,6 +55,8 @@ class ConnectedVehicle::Cycle {
     outlet_.act(command);
   }
 
+  void fall_silent(bool is_silent) { outlet_.fall_silent(is_silent); }
+
   std::optional<Observation> sense() {
     for (;;) {
       surroundings_.progress.report(is_held() ? "held" : "driving", 0, 0);
@@ -256,6 +258,10 @@ std::string ConnectedVehicle::end_reason() const {
 
 void ConnectedVehicle::act(const Command& command) {
   cycle_->act(command);
+}
+
+void ConnectedVehicle::fall_silent(bool is_silent) {
+  cycle_->fall_silent(is_silent);
 }
 
 ConnectionCounts ConnectedVehicle::counts() const {

@@ -12,7 +12,7 @@ namespace aisle {
 namespace {
 
 constexpr double kPatience_s = 10;
-constexpr double kAsk_s = 0.05;
+constexpr double kAskAgain_s = 0.05;
 constexpr std::size_t kPeriodsNeeded = 3;
 constexpr double kLevel = 0.98;         // cosine of about 11 degrees
 constexpr double kUnknownRange_m = 30;  // of a scanner that does not say it
@@ -137,7 +137,7 @@ Result<CommandKind> reader_of_commands(const Connection& connection, RobotIntake
     if (surroundings.clock.now_s() > until_s) return kind;
     surroundings.progress.report("waiting for the robot", 0, 0);
     auto lock = intake.lock();
-    intake.wait(lock, kAsk_s);
+    intake.wait(lock, kAskAgain_s);
   }
 }
 
@@ -156,7 +156,7 @@ Result<FirstContact> make_contact(const Connection& connection, const VehicleDes
     {
       auto lock = intake.lock();
       met = has_met(connection, intake.state());
-      if (!met) intake.wait(lock, kAsk_s);
+      if (!met) intake.wait(lock, kAskAgain_s);
     }
     if (!met && surroundings.clock.now_s() > until_s)
       return what_is_missing(connection, intake, surroundings.wire);

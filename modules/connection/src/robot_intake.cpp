@@ -187,6 +187,7 @@ void RobotIntake::take_scan(const ros::LaserScan& message) {
   }
   state_.newest_scan_s = stamp_s;
   state_.scan_arrived_s = now_s();
+  state_.scan_pace.take(clock_.now_s(), age_s(stamp_s));
   state_.scans.push_back(std::move(*scan));
   if (state_.scans.size() > kScansWaiting) {
     state_.scans.pop_front();
@@ -274,11 +275,19 @@ void RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
       break;
   }
   state_.odometry_arrived_s = now;
+  state_.odometry_pace.take(clock_.now_s(), age_s(stamp_s));
 }
 
 ros::Stamp_ns RobotIntake::stamp_of(const ros::Header& header) const {
   return connection_.clock == ConnectedClock::kArrival ? ros::stamp_ns(clock_.now_s())
                                                        : ros::stamp_ns(header.stamp);
+}
+
+/// By /clock, or by the clock that machines keep together.
+double RobotIntake::age_s(double stamp_s) const {
+  if (connection_.clock == ConnectedClock::kRos) return now_s() - stamp_s;
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count() - stamp_s;
 }
 
 void RobotIntake::be_broken(std::string why) {

@@ -71,6 +71,7 @@ class RobotIntake {
   void take_base(double stamp_s, const Pose2& T_odom_base);
 
   ros::Stamp_ns stamp_of(const ros::Header& header) const;
+  double age_s(double stamp_s) const;
   void be_broken(std::string why);
 
   const Connection connection_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "aisle/connection/connection_counts.hpp"
+#include "aisle/connection/topic_pace.hpp"
 #include "aisle/formats/bags/bag_scan.hpp"
 #include "aisle/formats/bags/transform_tree.hpp"
 #include "odometry_trail.hpp"
@@ -30,11 +31,13 @@ struct RobotState {
   std::deque<BagScan> scans;  ///< not yet taken; the newest last
   std::string scan_frame;     ///< of the first scan; others are not taken
   double scan_arrived_s = kNever_s;
+  TopicPace scan_pace;
   std::optional<double> newest_scan_s;
   std::vector<double> scan_periods_s;  ///< of the first scans
 
   OdometryTrail trail;
   double odometry_arrived_s = kNever_s;
+  TopicPace odometry_pace;
   double leap_arrived_s = kNever_s;
 
   TransformTree transforms;

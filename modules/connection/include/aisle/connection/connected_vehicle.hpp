@@ -48,6 +48,10 @@ class ConnectedVehicle final : public Vehicle {
   std::string end_reason() const override;
   void act(const Command& command) override;
 
+  /// Sends nothing at all, not even stops, until it is told otherwise: to see whether the robot stops by
+  /// itself.
+  void fall_silent(bool is_silent);
+
   ConnectionCounts counts() const;
 
  private:

@@ -1,0 +1,288 @@
+#include "aisle/commands/connect.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "aisle/commands/connected_robot.hpp"
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/connection/robot_check.hpp"
+#include "aisle/connection/robot_try.hpp"
+#include "aisle/connection/topic_survey.hpp"
+#include "aisle/core/rounded.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kAsk_s = 0.1;
+
+/// A network, with nothing that is driven in it.
+struct Network {
+  std::unique_ptr<Wire> wire;
+  std::vector<SurveyedTopic> topics;
+};
+
+Result<Network> look_around(const ConnectedNetwork& settings, double listen_s, Progress& progress) {
+  auto wire = Wire::open(wire_settings(settings));
+  if (!wire) return wire.problems();
+  const SteadyClock clock;
+  const double until_s = clock.now_s() + listen_s;
+  while (clock.now_s() < until_s) {
+    progress.report("looking for topics", 0, 0);
+    std::this_thread::sleep_for(std::chrono::duration<double>(kAsk_s));
+  }
+  std::vector<SurveyedTopic> topics = survey((*wire)->endpoints());
+  return Network{std::move(*wire), std::move(topics)};
+}
+
+nlohmann::ordered_json topics_json(const std::vector<SurveyedTopic>& topics) {
+  auto list = nlohmann::ordered_json::array();
+  for (const SurveyedTopic& topic : topics) {
+    list.push_back({{"name", topic.name},
+                    {"type", topic.type},
+                    {"publishers", topic.publishers},
+                    {"subscribers", topic.subscribers},
+                    {"reliable", topic.reliable},
+                    {"latched", topic.latched},
+                    {"use", topic.use}});
+  }
+  return list;
+}
+
+std::string topics_text(const std::vector<SurveyedTopic>& topics, const ConnectedNetwork& network) {
+  std::string text = fmt::format("{} topics in domain {} at {}\n", topics.size(), network.domain,
+                                 fmt::join(network.peers, ", "));
+  for (const SurveyedTopic& topic : topics)
+    text += fmt::format("  {:<32} {:<36} {} -> {}{}\n", topic.name, topic.type, topic.publishers,
+                        topic.subscribers, topic.use.empty() ? "" : "  could serve as " + topic.use);
+  if (topics.empty())
+    text +=
+        "  Is the robot running, in the same domain (ROS_DOMAIN_ID), at this address? '--multicast' lets "
+        "robots find aisle that do not look for peers.\n";
+  return text;
+}
+
+Result<ConnectedNetwork> network_of(const ConnectOptions& options) {
+  if (options.connection.empty()) return options.network;
+  auto connection = read_connection(options.connection);
+  if (!connection) return connection.problems();
+  return std::move(connection->network);
+}
+
+/// What to connect to, and as what vehicle.
+struct Plan {
+  Connection connection;
+  VehicleDescription vehicle;
+};
+
+Result<Plan> plan_of(const ConnectOptions& options, const std::vector<SurveyedTopic>& topics,
+                     Problems& warnings) {
+  if (!options.connection.empty()) {
+    auto connection = read_connection(options.connection);
+    if (!connection) return connection.problems();
+    auto vehicle = vehicle_of(*connection);
+    if (!vehicle) return vehicle.problems();
+    return Plan{std::move(*connection), std::move(*vehicle)};
+  }
+  auto connection = suggested_connection(topics, {.network = options.network}, warnings);
+  if (!connection) return connection.problems();
+  Plan plan{std::move(*connection), {}};
+  plan.vehicle.is_differential = true;  // for what is checked, any vehicle is as good
+  return plan;
+}
+
+nlohmann::ordered_json pace_json(const TopicPace& pace) {
+  return {{"messages", pace.messages},
+          {"rate_hz", rounded(pace.rate_hz(), 2)},
+          {"gap_max_s", rounded(pace.gap_max_s, 3)},
+          {"age_s", rounded(pace.age_mean_s(), 4)},
+          {"age_max_s", rounded(pace.age_max_s, 4)}};
+}
+
+nlohmann::ordered_json scanner_json(const RobotCheck& check) {
+  const LaserScanner& scanner = *check.vehicle.scanner;
+  return {{"beams", check.beams},
+          {"first_angle_deg", rounded(to_degrees(scanner.first_angle_rad), 3)},
+          {"angle_step_deg", rounded(to_degrees(scanner.angle_step_rad), 4)},
+          {"range_max_m", rounded(scanner.range_max_m, 3)},
+          {"x_m", rounded(scanner.T_vehicle_laser.x, 3)},
+          {"y_m", rounded(scanner.T_vehicle_laser.y, 3)},
+          {"heading_deg", rounded(to_degrees(scanner.T_vehicle_laser.theta), 2)},
+          {"upside_down", check.is_upside_down}};
+}
+
+std::string pace_text(const char* name, const TopicPace& pace) {
+  return fmt::format("  {:<10} {:5.1f} a second, longest gap {:.2f} s, {:.3f} s old on arrival\n", name,
+                     pace.rate_hz(), pace.gap_max_s, pace.age_mean_s());
+}
+
+std::string check_text(const RobotCheck& check) {
+  const LaserScanner& scanner = *check.vehicle.scanner;
+  return fmt::format("the robot can be driven; nothing was commanded\n{}{}", pace_text("scans", check.scan),
+                     pace_text("odometry", check.odometry)) +
+         fmt::format(
+             "  scanner    {} beams from {:.1f} in steps of {:.3f} deg, up to {:.1f} m, at x {:.3f} m, "
+             "y {:.3f} m, {:.1f} deg{}\n",
+             check.beams, to_degrees(scanner.first_angle_rad), to_degrees(scanner.angle_step_rad),
+             scanner.range_max_m, scanner.T_vehicle_laser.x, scanner.T_vehicle_laser.y,
+             to_degrees(scanner.T_vehicle_laser.theta), check.is_upside_down ? ", upside down" : "") +
+         fmt::format(
+             "  commands   {}\n  Whether it stops by itself when commands end is found out by 'aisle "
+             "connect try'.\n",
+             check.command_type);
+}
+
+nlohmann::ordered_json pose_json(const Pose2& T) {
+  return {
+      {"x_m", rounded(T.x, 4)}, {"y_m", rounded(T.y, 4)}, {"heading_deg", rounded(to_degrees(T.theta), 2)}};
+}
+
+std::string move_text(const TriedMove& move) {
+  const auto text = [](const Pose2& T) {
+    return fmt::format("{:6.3f} m {:6.1f} deg", T.x, to_degrees(T.theta));
+  };
+  return fmt::format("  {:<18} commanded {}   odometry {}   scans {}\n", move.name, text(move.commanded),
+                     text(move.by_odometry), text(move.by_scans));
+}
+
+Outcome outcome_of(const RobotTry& tried) {
+  Outcome outcome{.verb = "connect try", .ok = tried.problems.empty()};
+  auto moves = nlohmann::ordered_json::array();
+  outcome.text = outcome.ok ? "the robot moves as commanded\n" : "the robot does NOT move as commanded\n";
+  for (const TriedMove& move : tried.moves) {
+    moves.push_back({{"name", move.name},
+                     {"commanded", pose_json(move.commanded)},
+                     {"by_odometry", pose_json(move.by_odometry)},
+                     {"by_scans", pose_json(move.by_scans)}});
+    outcome.text += move_text(move);
+  }
+  for (const Problem& problem : tried.problems) outcome.text += to_string(problem) + "\n";
+  outcome.figures = {{"moves", std::move(moves)}, {"problems", warnings_json(tried.problems)}};
+  if (!outcome.ok) return outcome;
+  outcome.figures["stops_by_itself"] = tried.stops_by_itself;
+  outcome.text +=
+      tried.stops_by_itself
+          ? "it stops by itself when commands end\n"
+          : "it does NOT stop by itself when commands end: if the network or aisle fails while it "
+            "drives, nothing stops it. Set its driver's command time-out.\n";
+  return outcome;
+}
+
+Result<VehicleDescription> new_vehicle(const ConnectInitOptions& options) {
+  if (!options.footprint)
+    return Problem{
+        {"connect init"},
+        "cannot know the robot's size: give '--size FRONT,REAR,WIDTH' in metres from the middle of "
+        "its driven axle, or '--vehicle' with a vehicle file or the name of a shipped one"};
+  VehicleDescription vehicle;
+  vehicle.name = options.out.stem().string();
+  vehicle.is_differential = !options.is_front_steered;
+  vehicle.footprint = *options.footprint;
+  vehicle.limits.speed_max_mps = options.speed_max_mps;
+  vehicle.limits.reverse_speed_max_mps = options.speed_max_mps / 2;
+  if (!options.is_front_steered) {
+    vehicle.differential.wheel_separation_m = options.footprint->width_m;
+  } else if (options.wheelbase_m > 0) {
+    vehicle.front_steered.wheelbase_m = options.wheelbase_m;
+  } else {
+    return Problem{{"connect init"}, "a front-steered robot needs its '--wheelbase' in metres"};
+  }
+  return vehicle;
+}
+
+}  // namespace
+
+Result<Outcome> run_connect_list(const ConnectOptions& options, Console& console) {
+  const auto network = network_of(options);
+  if (!network) return network.problems();
+  const auto around = look_around(*network, options.listen_s, console.progress);
+  if (!around) return around.problems();
+  Outcome outcome{.verb = "connect list", .ok = !around->topics.empty()};
+  outcome.figures = {{"domain", network->domain}, {"topics", topics_json(around->topics)}};
+  outcome.text = topics_text(around->topics, *network);
+  return outcome;
+}
+
+Result<Outcome> run_connect_check(const ConnectOptions& options, Console& console) {
+  const auto network = network_of(options);
+  if (!network) return network.problems();
+  const auto around = look_around(*network, options.listen_s, console.progress);
+  if (!around) return around.problems();
+  Problems warnings;
+  const auto plan = plan_of(options, around->topics, warnings);
+  if (!plan) return plan.problems();
+  const SteadyClock clock;
+  const auto check = check_robot(plan->connection, plan->vehicle,
+                                 {*around->wire, clock, console.progress, console.warn}, options.listen_s);
+  if (!check) return check.problems();
+  warnings.insert(warnings.end(), check->warnings.begin(), check->warnings.end());
+  warn_of(warnings, console);
+  Outcome outcome{.verb = "connect check"};
+  outcome.figures = {{"topics", topics_json(around->topics)},  {"scan", pace_json(check->scan)},
+                     {"odometry", pace_json(check->odometry)}, {"scanner", scanner_json(*check)},
+                     {"command_type", check->command_type},    {"counts", counts_json(check->counts)},
+                     {"warnings", warnings_json(warnings)}};
+  outcome.text = check_text(*check);
+  return outcome;
+}
+
+Result<Outcome> run_connect_try(const ConnectOptions& options, Console& console) {
+  auto robot = connect_robot(options.connection, console);
+  if (!robot) return robot.problems();
+  const auto tried = try_robot(*(*robot)->vehicle);
+  if (!tried) return tried.problems();
+  return outcome_of(*tried);
+}
+
+Result<Outcome> run_connect_init(const ConnectInitOptions& options, Console& console) {
+  const bool has_vehicle = !options.vehicle.empty();
+  const std::string vehicle_file = options.out.stem().string() + "-vehicle.yaml";
+  std::optional<VehicleDescription> made;
+  if (!has_vehicle) {
+    auto vehicle = new_vehicle(options);
+    if (!vehicle) return vehicle.problems();
+    made = std::move(*vehicle);
+  }
+  const std::string file = options.out.filename().string();
+  auto directory = OutputDirectory::open(
+      options.out.has_parent_path() ? options.out.parent_path() : std::filesystem::path("."), options.force,
+      made ? std::vector<std::string>{file, vehicle_file} : std::vector<std::string>{file});
+  if (!directory) return directory.problems();
+  const auto around = look_around(options.find.network, options.find.listen_s, console.progress);
+  if (!around) return around.problems();
+  Problems warnings;
+  auto connection = suggested_connection(around->topics, {.network = options.find.network}, warnings);
+  if (!connection) {
+    Problems problems = connection.problems();
+    problems.back().what += "; " + topics_text(around->topics, options.find.network);
+    return problems;
+  }
+  connection->vehicle = has_vehicle ? options.vehicle : vehicle_file;
+  if (auto known = has_vehicle ? vehicle_of(*connection) : Result<VehicleDescription>(*made); !known)
+    return known.problems();
+  std::vector<OutputFile> files{{"connection", file, connection_yaml(*connection)}};
+  if (made) files.push_back({"vehicle", vehicle_file, vehicle_yaml(*made)});
+  auto written = directory->write(files);
+  if (!written) return written.problems();
+  warn_of(warnings, console);
+  Outcome outcome{.verb = "connect init"};
+  outcome.figures = {{"topics", topics_json(around->topics)},
+                     {"scan", connection->scan.topic},
+                     {"odometry", connection->odometry.topic},
+                     {"command", connection->commands.topic},
+                     {"warnings", warnings_json(warnings)}};
+  outcome.files = std::move(*written);
+  outcome.text =
+      fmt::format("wrote {}: scans {}, odometry {}, commands {}\nnext: aisle connect check --connect {}\n",
+                  options.out.string(), connection->scan.topic, connection->odometry.topic,
+                  connection->commands.topic, options.out.string());
+  return outcome;
+}
+
+}  // namespace aisle
