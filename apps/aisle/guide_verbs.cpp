@@ -10,6 +10,8 @@ using namespace aisle;
 namespace {
 
 void add_mission_options(CLI::App& verb, GuideOptions& options) {
+  CLI::Option* const connection =
+      verb.add_option("--connect", options.connection, "connection file (YAML) of a robot: not simulated");
   verb.add_option("--world", options.world,
                   "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");
   add_resolution(verb, options.plan_pixel_m);
@@ -21,15 +23,18 @@ void add_mission_options(CLI::App& verb, GuideOptions& options) {
   add_seed(verb, options.seed, "random seed; the same seed gives the same session (default 1)");
   verb.add_option("--out", options.out, "output directory for the session");
   verb.add_flag("--force", options.force, "overwrite an existing session");
+  for (const char* name : {"--world", "--resolution", "--vehicle", "--faults", "--seed"})
+    connection->excludes(verb.get_option(name));
 }
 
 void require(const GuideOptions& options) {
   if (options.building.empty()) throw CLI::RequiredError("BUILDING");
-  if (options.world.empty()) throw CLI::RequiredError("--world");
+  if (options.world.empty() && options.connection.empty()) throw CLI::RequiredError("--world or --connect");
 }
 
 void add_go_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("go", "drive from home to a place in an explored building (simulated)");
+  CLI::App* verb = app.add_subcommand(
+      "go", "drive from home to a place in an explored building: simulated, or with a robot");
   verb->fallthrough();
   auto options = std::make_shared<GuideOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
@@ -46,7 +51,8 @@ void add_go_verb(CLI::App& app, Work& work) {
 
 void add_patrol_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
-      "patrol", "drive along all corridors of an explored building, about once per round (simulated)");
+      "patrol",
+      "drive along all corridors of an explored building, about once per round: simulated, or with a robot");
   verb->fallthrough();
   auto options = std::make_shared<GuideOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");

@@ -28,18 +28,21 @@ Result<VehicleDescription> vehicle_of(const Connection& connection) {
 
 Result<std::unique_ptr<ConnectedRobot>> connect_robot(const std::filesystem::path& connection_file,
                                                       Console& console) {
-  const auto connection = read_connection(connection_file);
+  auto connection = read_connection(connection_file);
   if (!connection) return connection.problems();
   const auto vehicle = vehicle_of(*connection);
   if (!vehicle) return vehicle.problems();
   auto wire = Wire::open(wire_settings(connection->network));
   if (!wire) return wire.problems();
   auto robot = std::make_unique<ConnectedRobot>();
+  robot->connection = std::move(*connection);
   robot->wire = std::move(*wire);
   auto connected = ConnectedVehicle::connect(*connection, *vehicle,
                                              {*robot->wire, robot->clock, console.progress, console.warn});
   if (!connected) return connected.problems();
   robot->vehicle = std::move(*connected);
+  robot->viewer =
+      std::make_unique<RobotViewer>(*robot->wire, robot->connection, *robot->vehicle, console.watcher);
   return robot;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "aisle/commands/connected_robot.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/set_down.hpp"
 #include "aisle/core/rounded.hpp"
@@ -15,10 +16,8 @@
 namespace aisle {
 namespace {
 
-/// Everything a mission needs, read and checked.
-struct GuidePlan {
-  SimulationSetting setting;
-  Pose2 T_world_start;
+/// What a mission is driven by, read and checked.
+struct GuideMission {
   SessionOrigin origin;
   std::unique_ptr<GuideDriver> driver;
 };
@@ -30,46 +29,41 @@ Problems in_file(Problems problems, const std::string& file) {
   return problems;
 }
 
-Result<GuidePlan> read_guide_plan(const GuideOptions& options, const std::string& goal) {
+/// The origin of a session of the mission; its building and parameters are those of the options.
+Result<SessionOrigin> read_origin(const GuideOptions& options, const std::string& goal) {
   GuideNavigatorParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   auto building = read_whole_file(options.building);
   if (!building) return building.problems();
-  auto setting = read_setting(options.world, options.vehicle, options.scenario, options.plan_pixel_m);
-  if (!setting) return setting.problems();
-  setting->vehicle.description.cameras.clear();
-  const auto start = start_in(*setting);
-  if (!start) return start.problems();
-  GuidePlan plan{std::move(*setting), *start, GuideDriver::origin(params, std::move(*building), goal), {}};
-  plan.origin.seed = options.seed;
-  auto driver = GuideDriver::make(plan.origin, plan.setting.vehicle.description);
-  if (!driver) return in_file(driver.problems(), options.building.string());
-  plan.driver = std::move(*driver);
-  return plan;
+  return GuideDriver::origin(params, std::move(*building), goal);
 }
 
-Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const std::string& goal,
-                         Console& console) {
-  const auto plan = read_guide_plan(options, goal);
-  if (!plan) return plan.problems();
-  for (const std::string& warning : plan->setting.warnings) console.warn(warning);
-  SimulatedVehicle vehicle = vehicle_in(
-      plan->setting, set_down_at_home(plan->setting, plan->T_world_start, options.seed), options.seed);
-  auto session = open_session(options.out, options.force, vehicle, &vehicle, plan->origin, console.watcher);
+Result<GuideMission> make_mission(const GuideOptions& options, SessionOrigin origin,
+                                  const VehicleDescription& vehicle) {
+  auto driver = GuideDriver::make(origin, vehicle);
+  if (!driver) return in_file(driver.problems(), options.building.string());
+  return GuideMission{std::move(origin), std::move(*driver)};
+}
+
+/// @param truth  of the vehicle; null: unknown
+Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, GuideMission& mission,
+                              Vehicle& vehicle, const TruthSource* truth, Console& console) {
+  auto session = open_session(options.out, options.force, vehicle, truth, mission.origin, console.watcher);
   if (!session) return session.problems();
-  const auto result = drive_guide_mission(vehicle, &vehicle, *plan->driver, *session, console.progress);
+  GuideDriver& driver = *mission.driver;
+  const auto result = drive_guide_mission(vehicle, truth, driver, *session, console.progress);
   if (!result) return result.problems();
   if (const Problems problems = close_session(*session); !problems.empty()) return problems;
 
-  const GuideNavigator& navigator = plan->driver->navigator();
-  const Building& building = plan->driver->building();
-  const Footprint& footprint = plan->setting.vehicle.description.footprint;
-  const Goal& sent = plan->driver->goal();
+  const GuideNavigator& navigator = driver.navigator();
+  const Building& building = driver.building();
+  const Footprint& footprint = vehicle.description().footprint;
+  const Goal& sent = driver.goal();
   Outcome outcome{.verb = verb, .ok = result->end.arrived && result->is_unharmed()};
   outcome.figures = known_figures(
       {{"simulated", result->is_simulated()},
-       {"seed", options.seed},
+       {"seed", result->is_simulated() ? nlohmann::ordered_json(options.seed) : nlohmann::ordered_json()},
        {"arrived", result->end.arrived},
        {"why", result->end.why},
        {"places", sent.p_map_places.size()},
@@ -89,6 +83,43 @@ Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const st
                              result->end.why.empty() ? "" : ": ", result->end.why, result->distance_m(),
                              result->end.duration_s, sent.shortest_m, collisions_text(*result));
   return outcome;
+}
+
+Result<Outcome> simulate_goal(const char* verb, const GuideOptions& options, SessionOrigin origin,
+                              Console& console) {
+  auto setting = read_setting(options.world, options.vehicle, options.scenario, options.plan_pixel_m);
+  if (!setting) return setting.problems();
+  setting->vehicle.description.cameras.clear();
+  const auto start = start_in(*setting);
+  if (!start) return start.problems();
+  origin.seed = options.seed;
+  auto mission = make_mission(options, std::move(origin), setting->vehicle.description);
+  if (!mission) return mission.problems();
+  for (const std::string& warning : setting->warnings) console.warn(warning);
+  SimulatedVehicle vehicle =
+      vehicle_in(*setting, set_down_at_home(*setting, *start, options.seed), options.seed);
+  return drive_to_goal(verb, options, *mission, vehicle, &vehicle, console);
+}
+
+Result<Outcome> drive_robot_to_goal(const char* verb, const GuideOptions& options, SessionOrigin origin,
+                                    Console& console) {
+  const auto robot = connect_robot(options.connection, console);
+  if (!robot) return robot.problems();
+  ConnectedVehicle& vehicle = *(*robot)->vehicle;
+  auto mission = make_mission(options, std::move(origin), vehicle.description());
+  if (!mission) return mission.problems();
+  Console watched{console.progress, console.warn, (*robot)->viewer.get()};
+  auto outcome = drive_to_goal(verb, options, *mission, vehicle, nullptr, watched);
+  if (outcome) outcome->figures["connection"] = counts_json(vehicle.counts());
+  return outcome;
+}
+
+Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const std::string& goal,
+                         Console& console) {
+  auto origin = read_origin(options, goal);
+  if (!origin) return origin.problems();
+  return options.connection.empty() ? simulate_goal(verb, options, std::move(*origin), console)
+                                    : drive_robot_to_goal(verb, options, std::move(*origin), console);
 }
 
 }  // namespace

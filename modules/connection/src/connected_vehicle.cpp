@@ -49,6 +49,7 @@ class ConnectedVehicle::Cycle {
 
   const VehicleDescription& description() const { return contact_.vehicle; }
   const std::string& end_reason() const { return end_reason_; }
+  const Odometry& odometry() const { return odometry_; }
 
   void act(const Command& command) {
     steering_rad_ = within(contact_.vehicle.limits, command).steering_rad;
@@ -176,6 +177,7 @@ class ConnectedVehicle::Cycle {
         observation.stamp_s, fitted_ranges(scan, contact_.grid, [&](double s) { return state.trail.at(s); })};
     if (!readings_) readings_.emplace(contact_.vehicle, state.trail.at(scan_s));
     observation.odometry = readings_->read(state.trail.at(scan_s), steering_rad_);
+    odometry_ = {ros::stamp_ns(scan_s), state.trail.in_odom(state.trail.at(scan_s))};
     observation.bumper_pressed = touches(state);
     return observation;
   }
@@ -212,6 +214,7 @@ class ConnectedVehicle::Cycle {
   const FirstContact contact_;
   const std::string command_topic_;
   std::optional<OdometryReadings> readings_;
+  Odometry odometry_;
   double connected_s_ = 0;
   double looked_s_ = kNever_s;
   std::string obstacle_;
@@ -262,6 +265,10 @@ void ConnectedVehicle::act(const Command& command) {
 
 void ConnectedVehicle::fall_silent(bool is_silent) {
   cycle_->fall_silent(is_silent);
+}
+
+const ConnectedVehicle::Odometry& ConnectedVehicle::odometry() const {
+  return cycle_->odometry();
 }
 
 ConnectionCounts ConnectedVehicle::counts() const {

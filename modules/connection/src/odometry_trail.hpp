@@ -27,6 +27,8 @@ class OdometryTrail {
 
   /// Interpolated, and carried on for a while after the newest sample: see OdometryTrack.
   Pose2 at(double stamp_s) const;
+  /// A pose of the trail, where the odometry has it since its last leap.
+  Pose2 in_odom(const Pose2& T_trail) const { return T_trail_odom_.inverse() * T_trail; }
 
  private:
   void keep(double stamp_s, const Pose2& T_odom_vehicle);

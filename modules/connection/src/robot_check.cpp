@@ -9,8 +9,8 @@ namespace aisle {
 namespace {
 
 constexpr double kListenAgain_s = 0.05;
-constexpr double kClockOffset_s = 0.1;      // clocks of machines that are kept together differ by less
-constexpr double kScanRateMin_hz = 4;  // at half a metre a second: a scan every 12 cm
+constexpr double kClockOffset_s = 0.1;  // clocks of machines that are kept together differ by less
+constexpr double kScanRateMin_hz = 4;   // at half a metre a second: a scan every 12 cm
 constexpr double kOdometryRateMin_hz = 10;
 constexpr double kMoved_m = 0.02;
 

@@ -56,6 +56,7 @@ void MissionRecorder::show_floor(const FloorGrid& floor) {
   std::string cdr = floor_cdr(floor);
   if (cdr == floor_shown_) return;
   show(floor_topic(), cdr);
+  show(grid_topic(), grid_cdr(ros::stamp_ns(stamp_s_), floor));
   floor_shown_ = std::move(cdr);
 }
 

@@ -267,7 +267,8 @@ Result<JudgedExploration> explore_with_robot(const ExploreOptions& options, Cons
   auto robot = connect_robot(options.connection, console);
   if (!robot) return robot.problems();
   ConnectedVehicle& vehicle = *(*robot)->vehicle;
-  auto session = open_session(options.session, options.force, vehicle, nullptr, origin, console.watcher);
+  auto session =
+      open_session(options.session, options.force, vehicle, nullptr, origin, (*robot)->viewer.get());
   if (!session) return session.problems();
   auto explored =
       explore_once({options, params, console.progress}, vehicle, nullptr, std::move(*former), *session);

@@ -185,6 +185,7 @@ AISLE_MESSAGE(Odometry)
 AISLE_MESSAGE(TFMessage)
 AISLE_MESSAGE(PoseWithCovarianceStamped)
 AISLE_MESSAGE(Path)
+AISLE_MESSAGE(OccupancyGrid)
 AISLE_MESSAGE(Marker)
 AISLE_MESSAGE(MarkerArray)
 

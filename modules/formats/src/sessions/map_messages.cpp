@@ -104,6 +104,11 @@ void add_places(ros::MarkerArray& array, const Building& building, ros::Stamp_ns
   }
 }
 
+std::int8_t occupancy(Floor floor) {
+  if (floor == Floor::kUnknown) return -1;
+  return floor == Floor::kOccupied ? 100 : 0;
+}
+
 }  // namespace
 
 const SessionTopic& pose_topic() {
@@ -163,6 +168,28 @@ const SessionTopic& floor_topic() {
 
 std::string floor_cdr(const FloorGrid& floor) {
   return cdr_bytes(ros::String{floor_json(floor)});
+}
+
+const SessionTopic& grid_topic() {
+  static const SessionTopic topic{"/grid", ros::OccupancyGrid::kType, true};
+  return topic;
+}
+
+std::string grid_cdr(ros::Stamp_ns stamp, const FloorGrid& floor) {
+  const FloorBox& box = floor.known();
+  ros::OccupancyGrid grid;
+  grid.header = map_header(stamp);
+  grid.info.map_load_time = grid.header.stamp;
+  grid.info.resolution = static_cast<float>(floor.cell_m());
+  if (box.empty()) return cdr_bytes(grid);
+  grid.info.width = static_cast<std::uint32_t>(box.end.x - box.low.x);
+  grid.info.height = static_cast<std::uint32_t>(box.end.y - box.low.y);
+  grid.info.origin.position = {.x = box.low.x * floor.cell_m(), .y = box.low.y * floor.cell_m()};
+  grid.data.reserve(std::size_t{grid.info.width} * grid.info.height);
+  for (int y = box.low.y; y < box.end.y; ++y) {
+    for (int x = box.low.x; x < box.end.x; ++x) grid.data.push_back(occupancy(floor.at(FloorCell{x, y})));
+  }
+  return cdr_bytes(grid);
 }
 
 }  // namespace aisle

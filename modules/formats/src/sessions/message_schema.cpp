@@ -25,6 +25,7 @@ struct SchemaName;
   };
 
 AISLE_SCHEMA_NAME(bool, "bool")
+AISLE_SCHEMA_NAME(std::int8_t, "int8")
 AISLE_SCHEMA_NAME(std::uint8_t, "uint8")
 AISLE_SCHEMA_NAME(std::int32_t, "int32")
 AISLE_SCHEMA_NAME(std::uint32_t, "uint32")
@@ -43,6 +44,7 @@ AISLE_SCHEMA_NAME(ros::PoseWithCovariance, "geometry_msgs/PoseWithCovariance")
 AISLE_SCHEMA_NAME(ros::TwistWithCovariance, "geometry_msgs/TwistWithCovariance")
 AISLE_SCHEMA_NAME(ros::Transform, "geometry_msgs/Transform")
 AISLE_SCHEMA_NAME(ros::TransformStamped, "geometry_msgs/TransformStamped")
+AISLE_SCHEMA_NAME(ros::MapMetaData, "nav_msgs/MapMetaData")
 AISLE_SCHEMA_NAME(ros::UVCoordinate, "visualization_msgs/UVCoordinate")
 AISLE_SCHEMA_NAME(ros::MeshFile, "visualization_msgs/MeshFile")
 

@@ -6,6 +6,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/connection/connected_vehicle.hpp"
+#include "aisle/connection/robot_viewer.hpp"
 #include "aisle/core/clock.hpp"
 #include "aisle/wire/wire.hpp"
 
@@ -14,8 +15,10 @@ namespace aisle {
 /// A robot, and what it is reached by.
 struct ConnectedRobot {
   SteadyClock clock;
+  Connection connection;
   std::unique_ptr<Wire> wire;
-  std::unique_ptr<ConnectedVehicle> vehicle;  ///< last: it ends first
+  std::unique_ptr<ConnectedVehicle> vehicle;
+  std::unique_ptr<RobotViewer> viewer;  ///< last: each uses what stands before it
 };
 
 /// Connects to the robot of a connection file. Holding and going on are said as warnings.

@@ -15,7 +15,7 @@ namespace aisle {
 struct ExploreOptions {
   std::filesystem::path connection;  ///< a robot's connection file; empty: explores in the simulator
   std::string world;                 ///< world or floor plan: file or shipped name
-  double plan_pixel_m = 0.05;  ///< side of a plan's pixel, unless its file gives it
+  double plan_pixel_m = 0.05;        ///< side of a plan's pixel, unless its file gives it
   ExploringSensor sensor = ExploringSensor::kScanner;
   std::string vehicle;              ///< empty: the shipped vehicle with this sensor
   std::string camera = "corridor";  ///< with kMarkers: the camera that sees the laser stripes

@@ -11,10 +11,11 @@ namespace aisle {
 
 struct GuideOptions {
   std::filesystem::path building;
-  std::string place;           ///< `go`: the goal, a name or "x,y" in the map [m]
-  int rounds = 1;              ///< `patrol`
-  std::string world;           ///< world or floor plan: file or shipped name
-  double plan_pixel_m = 0.05;  ///< side of a plan's pixel, unless its file gives it
+  std::string place;                 ///< `go`: the goal, a name or "x,y" in the map [m]
+  int rounds = 1;                    ///< `patrol`
+  std::filesystem::path connection;  ///< a robot's connection file; empty: drives in the simulator
+  std::string world;                 ///< world or floor plan: file or shipped name
+  double plan_pixel_m = 0.05;        ///< side of a plan's pixel, unless its file gives it
   std::string vehicle = "alv-scanner";
   std::string scenario;  ///< file or shipped name; empty: no faults
   std::uint64_t seed = 1;
@@ -23,7 +24,8 @@ struct GuideOptions {
   ParameterSources parameters;
 };
 
-/// `aisle go BUILDING PLACE --world WORLD`: drives from home to a place in an explored building.
+/// `aisle go BUILDING PLACE --world WORLD` (or `--connect FILE`): drives from home to a place in an explored
+/// building.
 Result<Outcome> run_go(const GuideOptions& options, Console& console);
 
 /// `aisle patrol BUILDING --world WORLD --rounds N`: drives along all corridors, about once per round, and

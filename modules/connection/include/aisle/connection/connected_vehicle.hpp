@@ -9,6 +9,7 @@
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
 #include "aisle/formats/connections/connection_file.hpp"
+#include "aisle/formats/sessions/ros_time.hpp"
 #include "aisle/vehicle/vehicle.hpp"
 #include "aisle/wire/wire.hpp"
 
@@ -51,6 +52,13 @@ class ConnectedVehicle final : public Vehicle {
   /// Sends nothing at all, not even stops, until it is told otherwise: to see whether the robot stops by
   /// itself.
   void fall_silent(bool is_silent);
+
+  /// Where the vehicle was at the latest observation, by the robot's own clock and odometry.
+  struct Odometry {
+    ros::Stamp_ns stamp = 0;
+    Pose2 T_odom_vehicle;
+  };
+  const Odometry& odometry() const;
 
   ConnectionCounts counts() const;
 

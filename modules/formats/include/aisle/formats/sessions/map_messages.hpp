@@ -27,4 +27,8 @@ std::string map_cdr(ros::Stamp_ns stamp, const Building& building);
 const SessionTopic& floor_topic();
 std::string floor_cdr(const FloorGrid& floor);
 
+/// /grid, nav_msgs/OccupancyGrid, latched: the same floor, as ROS has it.
+const SessionTopic& grid_topic();
+std::string grid_cdr(ros::Stamp_ns stamp, const FloorGrid& floor);
+
 }  // namespace aisle

@@ -457,6 +457,39 @@ struct Path {
   friend bool operator==(const Path&, const Path&) = default;
 };
 
+struct MapMetaData {
+  Time map_load_time;
+  float resolution = 0;  ///< side of a cell [m]
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  Pose origin;  ///< of the lower left corner of cell (0, 0)
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("map_load_time", self.map_load_time);
+    visit("resolution", self.resolution);
+    visit("width", self.width);
+    visit("height", self.height);
+    visit("origin", self.origin);
+  }
+  friend bool operator==(const MapMetaData&, const MapMetaData&) = default;
+};
+
+struct OccupancyGrid {
+  static constexpr const char* kType = "nav_msgs/msg/OccupancyGrid";
+  Header header;
+  MapMetaData info;
+  std::vector<std::int8_t> data;  ///< row by row from the bottom: 0 free, 100 occupied, -1 unknown
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("info", self.info);
+    visit("data", self.data);
+  }
+  friend bool operator==(const OccupancyGrid&, const OccupancyGrid&) = default;
+};
+
 struct ColorRGBA {
   float r = 0;
   float g = 0;
