@@ -2,10 +2,12 @@
 /// A wire without a network: the test is the robot at its other end.
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +48,11 @@ class SentMessages {
     std::unique_lock lock(mutex_);
     arrived_.wait(lock, [&] { return messages_.size() > count; });
   }
+  /// For at most a few of the periods in which commands are sent.
+  void await_more_than(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    arrived_.wait_for(lock, std::chrono::milliseconds(200), [&] { return messages_.size() > count; });
+  }
   std::vector<std::string> all() const {
     const std::lock_guard lock(mutex_);
     return messages_;
@@ -76,6 +83,7 @@ class FakeWire final : public Wire {
   }
   Result<std::unique_ptr<WirePublisher>> advertise(const std::string& topic, const std::string& /*type*/,
                                                    WireQuality /*quality*/) override {
+    advertised.insert(topic);
     return std::unique_ptr<WirePublisher>(std::make_unique<FakePublisher>(sent(topic)));
   }
   std::vector<WireEndpoint> endpoints() const override { return endpoints_of_others; }
@@ -91,6 +99,7 @@ class FakeWire final : public Wire {
   }
 
   std::vector<WireEndpoint> endpoints_of_others;
+  std::set<std::string> advertised;
   std::map<std::string, std::string> incompatible;  ///< topic -> quality
 
  private:

@@ -1,14 +1,10 @@
 #include <gmock/gmock.h>
 
-#include <cmath>
-#include <functional>
-
 #include "aisle/connection/connected_vehicle.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
-#include "aisle/formats/sessions/ros_time.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
-#include "fake_wire.hpp"
 #include "pose_matchers.hpp"
+#include "scripted_robot.hpp"
 
 namespace aisle {
 namespace {
@@ -16,88 +12,10 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr double kTick_s = 0.02;
-
-/// A robot at the other end of the wire. It lives while the vehicle waits: twenty milliseconds each time.
-class ScriptedRobot final : public Progress {
- public:
-  ScriptedRobot() {
-    wire.endpoints_of_others = {
-        {WireEndpoint::Kind::kSubscriber, "/cmd_vel", "geometry_msgs/msg/Twist", true, false, "robot"},
-        {WireEndpoint::Kind::kPublisher, "/scan", "sensor_msgs/msg/LaserScan", false, false, "robot"}};
-  }
-
-  void report(std::string_view, std::size_t, std::size_t) override {
-    clock.move(kTick_s);
-    stamp_s += kTick_s;
-    T_odom_base = T_odom_base * Pose2{speed_mps * kTick_s, 0, 0};
-    ++ticks;
-    tell_mount();  // also wakes whoever waits, when nothing else is sent
-    if (script) script();
-    if (sends_odometry) tell_odometry();
-    if (ticks % 5 == 0 && sends_scans) tell_scan();
-  }
-
-  void tell_mount() {
-    ros::TransformStamped mount;
-    mount.header.frame_id = "base_link";
-    mount.child_frame_id = "laser";
-    mount.transform.translation = {0.1, 0, 0.2};
-    if (is_upside_down) mount.transform.rotation = {1, 0, 0, 0};
-    if (!has_mount) mount.child_frame_id = "camera";
-    wire.tell("/tf_static", cdr_bytes(ros::TFMessage{{mount}}));
-  }
-  void tell_odometry() {
-    ros::Odometry odometry;
-    odometry.header = header("odom");
-    odometry.pose.pose.position = {T_odom_base.x, T_odom_base.y, 0};
-    odometry.pose.pose.orientation = {0, 0, std::sin(T_odom_base.theta / 2), std::cos(T_odom_base.theta / 2)};
-    wire.tell("/odom", cdr_bytes(odometry));
-  }
-  void tell_scan() {
-    ros::LaserScan scan;
-    scan.header = header("laser");
-    scan.angle_min = -1;
-    scan.angle_max = 1;
-    scan.angle_increment = 0.5;
-    scan.range_min = 0.1F;
-    scan.range_max = 8;
-    scan.ranges = {1, 2, 3, HUGE_VALF, NAN};
-    wire.tell("/scan", cdr_bytes(scan));
-  }
-  void tell_stop(bool is_pressed) { wire.tell("/stop", cdr_bytes(ros::Bool{is_pressed})); }
-  ros::Header header(const std::string& frame) const { return {ros::time_of(ros::stamp_ns(stamp_s)), frame}; }
-
-  FakeWire wire;
-  MovedClock clock;
-  double stamp_s = 5000;  // by the robot's clock
-  Pose2 T_odom_base{2, 1, kPi / 2};
-  double speed_mps = 0.3;
-  bool sends_odometry = true;
-  bool sends_scans = true;
-  bool has_mount = true;
-  bool is_upside_down = false;
-  long ticks = 0;
-  std::function<void()> script;  ///< at every tick
-  std::vector<std::string> notes;
-};
-
-Connection plain_connection() {
-  return *parse_connection("format: aisle.connection\nversion: 1\nvehicle: cart\n", "robot.yaml");
-}
-
-VehicleDescription cart() {
-  VehicleDescription vehicle;
-  vehicle.is_differential = true;
-  return vehicle;
-}
-
 class ConnectedVehicleTest : public testing::Test {
  protected:
   Result<std::unique_ptr<ConnectedVehicle>> connect() {
-    return ConnectedVehicle::connect(
-        connection, cart(),
-        {robot.wire, robot.clock, robot, [this](const std::string& note) { robot.notes.push_back(note); }});
+    return ConnectedVehicle::connect(connection, cart(), {robot.wire, robot.clock, robot, robot.noting()});
   }
   std::string problem_of_connecting() {
     const auto vehicle = connect();

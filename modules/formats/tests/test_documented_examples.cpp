@@ -4,6 +4,7 @@
 
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/buildings/floor_marks.hpp"
+#include "aisle/formats/connections/connection_file.hpp"
 #include "aisle/formats/images/map_server.hpp"
 #include "aisle/formats/images/plan_image.hpp"
 #include "aisle/formats/key_script_text.hpp"
@@ -109,6 +110,14 @@ TEST(DocumentedExamples, TheMapServerFileIsWrittenAsItStands) {
   OccupancyImage image;
   image.origin_m = {-12.35, -4.1};
   EXPECT_EQ(map_server_yaml(image, "map.pgm"), example("map_server.md"));
+}
+
+TEST(DocumentedExamples, TheConnectionIsRead) {
+  const auto connection = parse_connection(example("connection.md"), "connection.md");
+  ASSERT_TRUE(connection.ok()) << to_string(connection.problems());
+  EXPECT_EQ(connection->vehicle, "turtlebot.yaml");
+  EXPECT_THAT(connection->emergency_stops, SizeIs(1));
+  EXPECT_EQ(connection->limits.speed_max_mps, 0.3);
 }
 
 TEST(DocumentedExamples, TheVehicleIsRead) {

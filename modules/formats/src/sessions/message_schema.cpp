@@ -125,7 +125,8 @@ std::string message_schema(std::string_view type) {
   static const auto schemas =
       schemas_of<ros::String, ros::Bool, ros::Image, ros::CompressedImage, ros::CameraInfo, ros::LaserScan,
                  ros::JointState, ros::PoseStamped, ros::Twist, ros::Odometry, ros::TFMessage,
-                 ros::PoseWithCovarianceStamped, ros::Path, ros::Marker, ros::MarkerArray>();
+                 ros::PoseWithCovarianceStamped, ros::Path, ros::OccupancyGrid, ros::Marker,
+                 ros::MarkerArray>();
   const auto found = schemas.find(type);
   if (found == schemas.end()) throw std::invalid_argument("no message is of type " + std::string(type));
   return found->second;

@@ -1,0 +1,85 @@
+#include <gmock/gmock.h>
+
+#include "aisle/formats/connections/connection_file.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* kHead = "format: aisle.connection\nversion: 1\nvehicle: cart\n";
+
+std::string all_problems(const std::string& text) {
+  const auto connection = parse_connection(text, "robot.yaml");
+  return connection ? "read" : to_string(connection.problems());
+}
+
+TEST(ConnectionFile, AVehicleIsEnough) {
+  const auto connection = parse_connection(kHead, "robot.yaml");
+  ASSERT_TRUE(connection.ok()) << to_string(connection.problems());
+  EXPECT_EQ(connection->vehicle, "cart");
+  EXPECT_EQ(connection->topic(connection->scan.topic), "/scan");
+  EXPECT_EQ(connection->network.interface_address, "127.0.0.1");
+}
+
+TEST(ConnectionFile, WhatIsWrittenIsReadAgain) {
+  Connection connection = *parse_connection(kHead, "robot.yaml");
+  connection.network = {7, "192.168.1.5", {"192.168.1.9", "robot.local"}, true, "/j100"};
+  connection.clock = ConnectedClock::kRos;
+  connection.frames = {"chassis", "odometry", ConnectedFrames::Mounts::kFile, {-0.125, 0.05}};
+  connection.scan = {"front/scan", 0.5};
+  connection.odometry = {"wheels", ConnectedOdometry::Source::kJointStates, 0.25, 0.1, "l", "r"};
+  connection.bumpers = {{"bumper", 1}};
+  connection.emergency_stops = {{"stop", 0}, {"platform/stop", 2}};
+  connection.battery = {"battery", 0.3};
+  connection.commands = {"drive", ConnectedCommands::Kind::kAckermann, 0.2};
+  connection.limits = {0.4, 0.2, 30 * kDegree};
+  const std::string text = connection_yaml(connection);
+  const auto again = parse_connection(text, "robot.yaml");
+  ASSERT_TRUE(again.ok()) << to_string(again.problems());
+  EXPECT_EQ(connection_yaml(*again), text);
+  EXPECT_EQ(again->network.peers, connection.network.peers);
+  EXPECT_EQ(again->clock, ConnectedClock::kRos);
+  EXPECT_EQ(again->frames.p_base_axle_m, connection.frames.p_base_axle_m);
+  EXPECT_EQ(again->commands.kind, ConnectedCommands::Kind::kAckermann);
+  EXPECT_NEAR(again->limits.turn_rate_max_rad_s, 30 * kDegree, 1e-9);
+  EXPECT_EQ(again->emergency_stops.size(), 2U);
+}
+
+TEST(ConnectionFile, TopicsAreInTheNamespaceUnlessTheyBeginWithASlash) {
+  Connection connection;
+  connection.network.name_space = "j100/";
+  EXPECT_EQ(connection.topic("scan"), "/j100/scan");
+  EXPECT_EQ(connection.topic("/scan"), "/scan");
+  connection.network.name_space = "/j100";
+  EXPECT_EQ(connection.topic("a/scan"), "/j100/a/scan");
+}
+
+TEST(ConnectionFile, AllProblemsAreReportedWithTheirPlaces) {
+  const std::string problems = all_problems(
+      "format: aisle.connection\nversion: 1\nclock: wall\nscan: {topc: scan}\nodometry: {jump_max_m: -1}\n"
+      "network: {domain: 200, peers: 127.0.0.1}\nbumpers: [{silent_max_s: 1}]\n");
+  EXPECT_THAT(problems, HasSubstr("robot.yaml:1: vehicle: is missing"));
+  EXPECT_THAT(problems, HasSubstr("robot.yaml:3: clock: 'wall' is none of stamps, ros, arrival"));
+  EXPECT_THAT(problems, HasSubstr("robot.yaml:4: scan.topc: unknown key"));
+  EXPECT_THAT(problems, HasSubstr("robot.yaml:5: odometry.jump_max_m: -1 is outside"));
+  EXPECT_THAT(problems, HasSubstr("network.domain: 200 is outside 0 .. 101"));
+  EXPECT_THAT(problems, HasSubstr("network.peers: is not a list"));
+  EXPECT_THAT(problems, HasSubstr("bumpers[0].topic: is missing"));
+}
+
+TEST(ConnectionFile, ALimitMayOnlyLowerTheVehicles) {
+  const DriveLimits vehicle;
+  Connection connection;
+  connection.file = "robot.yaml";
+  EXPECT_EQ(limits_over(connection, vehicle)->speed_max_mps, vehicle.speed_max_mps);
+  connection.limits.speed_max_mps = 0.3;
+  EXPECT_EQ(limits_over(connection, vehicle)->speed_max_mps, 0.3);
+  connection.limits.speed_max_mps = 3;
+  EXPECT_THAT(to_string(limits_over(connection, vehicle).problems()),
+              HasSubstr("robot.yaml: limits.speed_max_mps: 3 is above the vehicle's own limit of 1"));
+}
+
+}  // namespace
+}  // namespace aisle
