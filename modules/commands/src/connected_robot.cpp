@@ -37,7 +37,7 @@ Result<std::unique_ptr<ConnectedRobot>> connect_robot(const std::filesystem::pat
   auto robot = std::make_unique<ConnectedRobot>();
   robot->connection = std::move(*connection);
   robot->wire = std::move(*wire);
-  auto connected = ConnectedVehicle::connect(*connection, *vehicle,
+  auto connected = ConnectedVehicle::connect(robot->connection, *vehicle,
                                              {*robot->wire, robot->clock, console.progress, console.warn});
   if (!connected) return connected.problems();
   robot->vehicle = std::move(*connected);
