@@ -14,6 +14,8 @@ namespace {
 constexpr double kPatience_s = 10;
 constexpr double kAskAgain_s = 0.05;
 constexpr std::size_t kPeriodsNeeded = 3;
+constexpr double kStepMin_rad = 0.01 * kDegree;
+constexpr double kStepMax_rad = 45 * kDegree;
 constexpr double kLevel = 0.98;         // cosine of about 11 degrees
 constexpr double kUnknownRange_m = 30;  // of a scanner that does not say it
 
@@ -95,7 +97,7 @@ Problems what_is_missing(const Connection& connection, RobotIntake& intake, cons
 }
 
 /// The scanner as the scans and the mount have it.
-void take_scanner(const Connection& connection, RobotState& state, FirstContact& contact) {
+void take_scanner(const Connection& connection, const RobotState& state, FirstContact& contact) {
   std::optional<LaserScanner>& scanner = contact.vehicle.scanner;
   if (!needs_mount(connection)) return;
   const Eigen::Isometry3d T_base_laser = *mount_of(connection, state);
@@ -170,6 +172,11 @@ Result<FirstContact> make_contact(const Connection& connection, const VehicleDes
   RobotState& state = intake.state();
   if (Problems problems = check_battery(connection, state); !problems.empty()) return problems;
   take_scanner(connection, state, contact);
+  if (const double step_rad = contact.vehicle.scanner->angle_step_rad;
+      step_rad < kStepMin_rad || step_rad > kStepMax_rad)
+    return Problem{
+        {intake.needed_topics()[0].topic},
+        fmt::format("its readings are {:g} deg apart, as those of no scanner are", to_degrees(step_rad))};
   contact.grid = {*contact.vehicle.scanner, state.scans.back().ranges_m.size()};
   contact.vehicle.cycle_s = median_period_s(state);
   make_steps_fine(contact.vehicle.differential);

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "aisle/formats/connections/connection_file.hpp"
+#include "aisle/formats/whole_file.hpp"
 
 namespace aisle {
 namespace {
@@ -45,6 +48,14 @@ TEST(ConnectionFile, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(again->commands.kind, ConnectedCommands::Kind::kAckermann);
   EXPECT_NEAR(again->limits.turn_rate_max_rad_s, 30 * kDegree, 1e-9);
   EXPECT_EQ(again->emergency_stops.size(), 2U);
+}
+
+TEST(ConnectionFile, AFileOfVersion1IsReadAndWrittenAsItIs) {
+  const std::filesystem::path golden =
+      std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/connection.v1.yaml";
+  const auto connection = read_connection(golden);
+  ASSERT_TRUE(connection.ok()) << to_string(connection.problems());
+  EXPECT_EQ(connection_yaml(*connection), *read_whole_file(golden));
 }
 
 TEST(ConnectionFile, TopicsAreInTheNamespaceUnlessTheyBeginWithASlash) {
