@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr const char* kHead = "format: aisle.connection\nversion: 1\nvehicle: cart\n";
+constexpr const char* kConnectionHead = "format: aisle.connection\nversion: 1\nvehicle: cart\n";
 
 std::string all_problems(const std::string& text) {
   const auto connection = parse_connection(text, "robot.yaml");
@@ -19,7 +19,7 @@ std::string all_problems(const std::string& text) {
 }
 
 TEST(ConnectionFile, AVehicleIsEnough) {
-  const auto connection = parse_connection(kHead, "robot.yaml");
+  const auto connection = parse_connection(kConnectionHead, "robot.yaml");
   ASSERT_TRUE(connection.ok()) << to_string(connection.problems());
   EXPECT_EQ(connection->vehicle, "cart");
   EXPECT_EQ(connection->topic(connection->scan.topic), "/scan");
@@ -27,7 +27,7 @@ TEST(ConnectionFile, AVehicleIsEnough) {
 }
 
 TEST(ConnectionFile, WhatIsWrittenIsReadAgain) {
-  Connection connection = *parse_connection(kHead, "robot.yaml");
+  Connection connection = *parse_connection(kConnectionHead, "robot.yaml");
   connection.network = {7, "192.168.1.5", {"192.168.1.9", "robot.local"}, true, "/j100"};
   connection.clock = ConnectedClock::kRos;
   connection.frames = {"chassis", "odometry", ConnectedFrames::Mounts::kFile, {-0.125, 0.05}};
