@@ -1,0 +1,36 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace robots {
+
+/// The program mujoco_robot as a child process: started by the constructor, killed by the destructor, and by
+/// the end of this process.
+class RunningRobot {
+ public:
+  explicit RunningRobot(const std::vector<std::string>& arguments);
+  ~RunningRobot();
+  RunningRobot(const RunningRobot&) = delete;
+  RunningRobot& operator=(const RunningRobot&) = delete;
+
+  /// @return the vehicle's measures, as the robot prints them. Throws std::runtime_error if it ends instead,
+  /// or is not ready after a minute.
+  nlohmann::json wait_until_ready() const;
+  /// Asks it to end. @return as wait()
+  int stop();
+  /// @return its exit code; negative: it was killed
+  int wait();
+
+ private:
+  pid_t process_;
+  int output_;
+};
+
+/// A domain that no other test is likely to be in at the same time.
+unsigned domain_of_this_process();
+
+}  // namespace robots
