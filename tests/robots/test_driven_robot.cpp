@@ -31,14 +31,14 @@ class DrivenRobot : public Workplace {
                                     "--domain", domain,
                                     "--report", at("robot-report.json"),
                                     "--clock",  "--speed",
-                                    "3"};
+                                    "5"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
 
   /// Writes the connection file as a user would, from the measures of the vehicle.
   ProgramRun init(const nlohmann::json& ready, const std::vector<std::string>& more = {}) const {
-    const nlohmann::json& footprint = ready["vehicle"]["footprint"];
+    const nlohmann::json& footprint = ready["footprint"];
     Arguments arguments = {"connect",
                            "init",
                            "--domain",
@@ -74,7 +74,7 @@ TEST_F(DrivenRobot, IsFoundCheckedTriedAndExploresInFourCommands) {
   ASSERT_EQ(written.exit_code, 0) << written.err;
   const ProgramRun checked = run_aisle({"connect", "check", "--connect", connection(), "--json"});
   ASSERT_EQ(checked.exit_code, 0) << checked.err;
-  EXPECT_NEAR(checked.json()["figures"]["scanner"]["x_m"], ready["vehicle"]["laser"]["x_m"].get<double>(),
+  EXPECT_NEAR(checked.json()["figures"]["scanner"]["x_m"], ready["laser"]["x_m"].get<double>(),
               1e-3);
   const ProgramRun tried = run_aisle({"connect", "try", "--connect", connection(), "--json"});
   ASSERT_EQ(tried.exit_code, 0) << tried.out << tried.err;
@@ -96,7 +96,7 @@ TEST_F(DrivenRobot, AFrontSteeredOneExploresAsWell) {
   RunningRobot robot(robot_arguments({"--drive", "front-steered", "--command", "ackermann"}));
   const nlohmann::json ready = robot.wait_until_ready();
   const ProgramRun written = init(ready, {"--front-steered", "--wheelbase",
-                                          fmt::format("{}", ready["vehicle"]["wheelbase_m"].get<double>())});
+                                          fmt::format("{}", ready["wheelbase_m"].get<double>())});
   ASSERT_EQ(written.exit_code, 0) << written.err;
   const ProgramRun explored = run_aisle({"explore", "--connect", connection(), "--json"});
   EXPECT_EQ(explored.exit_code, 0) << explored.out << explored.err;

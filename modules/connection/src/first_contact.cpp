@@ -96,6 +96,13 @@ Problems what_is_missing(const Connection& connection, RobotIntake& intake, cons
   return problems;
 }
 
+/// In [-pi, pi). Messages have angles of few digits: a full circle may begin a little before -pi.
+double first_angle_rad(const BagScan& scan) {
+  constexpr double kFewDigits_rad = 1e-5;
+  const double angle_rad = scan.beams.first_angle_rad;
+  return std::abs(angle_rad + kPi) < kFewDigits_rad ? -kPi : wrap_angle(angle_rad);
+}
+
 /// The scanner as the scans and the mount have it.
 void take_scanner(const Connection& connection, const RobotState& state, FirstContact& contact) {
   std::optional<LaserScanner>& scanner = contact.vehicle.scanner;
@@ -105,7 +112,7 @@ void take_scanner(const Connection& connection, const RobotState& state, FirstCo
   BagScan scan = state.scans.back();
   if (contact.is_upside_down) turn_over(scan);
   const Vec2& axle = connection.frames.p_base_axle_m;
-  scanner = LaserScanner{scan.beams.first_angle_rad, scan.beams.angle_step_rad,
+  scanner = LaserScanner{first_angle_rad(scan), scan.beams.angle_step_rad,
                          scan.range_max_m > 0 ? scan.range_max_m : kUnknownRange_m,
                          Pose2{axle.x(), axle.y(), 0}.inverse() * in_the_plane(T_base_laser)};
 }

@@ -30,7 +30,7 @@ bool has_the_beams_of(const BagScan& scan, const BeamGrid& grid) {
   const double most_rad = kSameBeam * grid.scanner.angle_step_rad;
   const double count = static_cast<double>(grid.beams);
   return scan.ranges_m.size() == grid.beams &&
-         std::abs(scan.beams.first_angle_rad - grid.scanner.first_angle_rad) < most_rad &&
+         std::abs(wrap_angle(scan.beams.first_angle_rad - grid.scanner.first_angle_rad)) < most_rad &&
          std::abs(scan.beams.angle_step_rad - grid.scanner.angle_step_rad) * count < most_rad;
 }
 

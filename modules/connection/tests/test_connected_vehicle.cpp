@@ -2,6 +2,7 @@
 
 #include "aisle/connection/connected_vehicle.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 #include "pose_matchers.hpp"
 #include "scripted_robot.hpp"
@@ -35,6 +36,16 @@ TEST_F(ConnectedVehicleTest, TheScannerIsWhatTheScansAndTheMountSay) {
   EXPECT_NEAR(description.scanner->range_max_m, 8, 1e-6);
   EXPECT_THAT(description.scanner->T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 1e-9, 1e-9));
   EXPECT_NEAR(description.cycle_s, 0.1, 1e-6);
+}
+
+TEST_F(ConnectedVehicleTest, AFullCircleOfFewDigitsIsDescribedWithinACircle) {
+  robot.stands_in_a_room = true;  // its angles are single-precision numbers
+  const auto vehicle = connect();
+  ASSERT_TRUE(vehicle.ok());
+  const VehicleDescription& description = (*vehicle)->description();
+  EXPECT_GE(description.scanner->first_angle_rad, -kPi);
+  EXPECT_TRUE(parse_vehicle(vehicle_yaml(description), "robot").ok()) << "sessions keep the description";
+  EXPECT_EQ((*vehicle)->sense()->scan->ranges_m.size(), 360U);
 }
 
 TEST_F(ConnectedVehicleTest, ObservationsHaveTheScanAndTheWayToIt) {
