@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
@@ -25,18 +26,24 @@ inline World walled_by(std::initializer_list<Vec2> corners, const Pose2& T_world
   return world;
 }
 
-inline VehicleModel cart_with_scanner() {
-  auto read = read_vehicle(std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles/alv-scanner.yaml");
+/// A shipped vehicle without its cameras.
+inline VehicleModel shipped_explorer(const std::string& name) {
+  auto read = read_vehicle(std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles" / (name + ".yaml"));
   if (!read) throw std::runtime_error(to_string(read.problems()));
   read->description.cameras.clear();
   return *read;
 }
 
+inline VehicleModel cart_with_scanner() {
+  return shipped_explorer("alv-scanner");
+}
+
 /// An explorer with a range scanner in a world, driven cycle by cycle.
 class ExplorerRun {
  public:
-  ExplorerRun(const World& world, std::uint64_t seed, const ExplorerNavigatorParams& params = {})
-      : vehicle(world, cart_with_scanner(), {}, {.seed = seed, .T_world_start = *world.start}),
+  ExplorerRun(const World& world, std::uint64_t seed, const ExplorerNavigatorParams& params = {},
+              const std::string& name = "alv-scanner")
+      : vehicle(world, shipped_explorer(name), {}, {.seed = seed, .T_world_start = *world.start}),
         T_world_start_(*world.start) {
     auto made = make_explorer(explorer_origin(params, {}), vehicle.description());
     if (!made) throw std::runtime_error(to_string(made.problems()));

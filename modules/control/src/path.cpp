@@ -103,12 +103,14 @@ double Path::leg_end_m(std::size_t piece) const {
   return starts_m_[last] + pieces_[last].path_m();
 }
 
-Path Path::up_to(double along_m) const {
+Path Path::up_to(double along_m, std::size_t end) const {
   constexpr double kLeast_m = 1e-3;
   std::vector<PathPiece> pieces;
-  for (PathPiece piece : pieces_) {
+  while (pieces.size() < end) {
+    PathPiece piece = pieces_[pieces.size()];
     const double left_m = along_m - starts_m_[pieces.size()];
-    if (left_m <= 0 && !pieces.empty()) break;
+    const bool is_beyond = piece.is_on_the_spot() ? left_m < 0 : left_m <= 0;
+    if (is_beyond && !pieces.empty()) break;
     if (left_m < piece.path_m()) {
       const double share = std::max(left_m, kLeast_m) / piece.path_m();
       piece.arc = {piece.arc.length_m * share, piece.arc.turn_rad * share};

@@ -38,8 +38,11 @@ std::vector<double> passes_by(const Path& path, const Pose2& T_map_vehicle, doub
 
 }  // namespace
 
-PathProgress::PathProgress(const Path& path, double along_m) : path_(&path), point_(path.at(along_m)) {
-  if (along_m <= 0) point_ = path.nearest(path.pieces().front().T_map_start.position(), 0, 0, 0, 1);
+PathProgress::PathProgress(const Path& path, double along_m)
+    : PathProgress(path, along_m <= 0 ? path.nearest(path.pieces().front().T_map_start.position(), 0, 0, 0, 1)
+                                      : path.at(along_m)) {}
+
+PathProgress::PathProgress(const Path& path, const PathPoint& from) : path_(&path), point_(from) {
   while (path.leg_end(leg_begin_) <= point_.piece) leg_begin_ = path.leg_end(leg_begin_);
 }
 

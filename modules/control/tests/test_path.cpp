@@ -81,6 +81,13 @@ RC_GTEST_PROP(Path, ItsFirstPartAndAnotherBehindItLieWhereTheyLay, (std::uint64_
   }
 }
 
+TEST(Path, ItsFirstPartKeepsATurnOnTheSpotThere) {
+  const Path path = path_of({{2, 0}, {0, kPi / 2}, {1, 0}});
+  EXPECT_NEAR(path.up_to(2).end().theta, kPi / 2, 1e-12);
+  EXPECT_NEAR(path.up_to(2, 1).end().theta, 0, 1e-12) << "of the pieces before the turn";
+  EXPECT_NEAR(path.up_to(1.5).end().x, 1.5, 1e-12);
+}
+
 TEST(Path, ItsEndIsAfterATurnOnTheSpotThere) {
   const Path path = path_of({{2, 0}, {0, kPi / 2}});
   EXPECT_NEAR(path.at(path.length_m()).T_map_path.theta, 0, 1e-12);

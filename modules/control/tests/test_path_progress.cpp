@@ -32,6 +32,17 @@ TEST(PathProgress, LeavesATurnOnTheSpotWhenItIsTurned) {
   EXPECT_EQ(progress.point().piece, 2);
 }
 
+TEST(PathProgress, StaysInATurnOnTheSpotWhenThePathIsContinued) {
+  const Path path = path_of({{1, 0}, {0, kPi / 2}});
+  PathProgress progress(path);
+  progress.advance({1, 0, 0});
+  ASSERT_EQ(progress.advance({1, 0, 30 * kDegree}).piece, 1);
+  const Path longer = path.followed_by(path_of({{1, 0}}, path.end()));
+  PathProgress continued(longer, progress.point());
+  EXPECT_EQ(continued.advance({1, 0, 40 * kDegree}).piece, 1);
+  EXPECT_EQ(continued.advance({1, 0, 90 * kDegree}).piece, 2);
+}
+
 TEST(PathProgress, StaysOnItsPassWhereThePathCrossesItself) {
   const Path path = path_of({{3, 0}, {1.5 * kPi, 1.5 * kPi}, {3, 0}});
   PathProgress progress(path);

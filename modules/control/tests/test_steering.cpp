@@ -83,6 +83,29 @@ RC_GTEST_PROP(PathFollower, GivesTheAngleThatTryingAllGives, (std::uint64_t seed
   RC_ASSERT(found.steering_rad == best_rad);
 }
 
+/// A path that the vehicle can drive: lines and arcs either way, and turns on the spot if it can turn so.
+Path any_drivable_path(const VehicleDescription& vehicle, Random& random) {
+  std::vector<Arc> arcs;
+  for (int i = 0; i < 6; ++i) {
+    const double length_m = random.uniform(0.5, 2) * (random.uniform() < 0.3 ? -1 : 1);
+    const double bend_per_m = random.uniform() < 0.4 ? 0 : random.uniform(-0.8, 0.8);
+    arcs.push_back({length_m, length_m * bend_per_m});
+    if (vehicle.is_differential && random.uniform() < 0.5) arcs.push_back({0, random.uniform(-3, 3)});
+  }
+  return path_of(arcs);
+}
+
+RC_GTEST_PROP(PathFollower, DrivesAnyPathToItsEndWithEitherDrive,
+              (std::uint64_t seed, bool is_differential)) {
+  Random random(seed);
+  const VehicleDescription vehicle = is_differential ? mini_vehicle() : cart();
+  const Path path = any_drivable_path(vehicle, random);
+  const ClosedLoop loop = driven(vehicle, path, 0.2);
+  RC_ASSERT(loop.arrived);
+  RC_ASSERT((loop.T_map_vehicle.position() - path.end().position()).norm() < 0.15);
+  RC_ASSERT(loop.lateral_max_m() < 0.25);
+}
+
 TEST(PathFollower, ConvergesToAStraightPathWithoutOscillating) {
   for (const double speed_mps : {0.3, 0.5, 1.0}) {
     const ClosedLoop loop = driven(cart(), path_of({{12, 0}}), speed_mps, kTenCentimetresAndFiveDegreesOff);

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <string>
+
 #include "aisle/core/angle.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
@@ -10,6 +14,21 @@ inline VehicleDescription cart() {
   vehicle.front_steered.wheelbase_m = 0.75;
   vehicle.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6, .height_m = 1.3};
   return vehicle;
+}
+
+/// The cart's body on two driven wheels.
+inline VehicleDescription differential_cart() {
+  VehicleDescription vehicle = cart();
+  vehicle.is_differential = true;
+  return vehicle;
+}
+
+/// For tests of what either drive must do: the parameter is whether the vehicle is differential.
+inline VehicleDescription cart_of(bool is_differential) {
+  return is_differential ? differential_cart() : cart();
+}
+inline std::string name_of_drive(const testing::TestParamInfo<bool>& is_differential) {
+  return is_differential.param ? "Differential" : "FrontSteered";
 }
 
 /// Of the cart, at its front.

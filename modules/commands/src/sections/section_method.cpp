@@ -1,11 +1,13 @@
 #include "aisle/commands/method.hpp"
 #include "aisle/missions/landmarks/landmark_run.hpp"
+#include "aisle/missions/sections/section_driver.hpp"
 #include "sections/section_verbs.hpp"
 
 namespace aisle {
 namespace {
 
 Problems prepare_for_sections(const TeachOptions&, const VehicleDescription& vehicle, DriveOptions& drive) {
+  if (Problems problems = unfit_for_sections(vehicle); !problems.empty()) return problems;
   drive.camera = corridor_camera(vehicle).name;
   return {};
 }

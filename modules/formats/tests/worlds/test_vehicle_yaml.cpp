@@ -85,7 +85,7 @@ TEST(VehicleYaml, CamerasHaveOneUsableNameEach) {
 }
 
 TEST(VehicleYaml, WrittenVehiclesReadAsTheyWere) {
-  for (const char* name : {"alv.yaml", "alv-scanner.yaml", "mini.yaml"}) {
+  for (const char* name : {"alv.yaml", "alv-scanner.yaml", "jackal.yaml", "mini.yaml", "turtlebot.yaml"}) {
     const VehicleModel vehicle = shipped(name);
     const std::string text = vehicle_yaml(vehicle);
     const auto again = parse_vehicle(text, name);
@@ -108,6 +108,20 @@ TEST(VehicleYaml, TheMiniVehicleIsThatOfThePaper) {
   EXPECT_DOUBLE_EQ(mini.footprint.front_m + mini.footprint.rear_m, 0.22);
   ASSERT_THAT(mini.cameras, SizeIs(1));
   EXPECT_EQ(mini.cameras[0].width_px, 320);
+}
+
+TEST(VehicleYaml, TheRobotsForSaleFitThroughDoorsAndCarryTheirScannersOnThem) {
+  for (const char* name : {"jackal.yaml", "turtlebot.yaml"}) {
+    const VehicleModel vehicle = shipped(name);
+    EXPECT_TRUE(vehicle.description.is_differential) << name;
+    EXPECT_LT(vehicle.description.footprint.width_m, 0.6) << name;
+    ASSERT_TRUE(vehicle.description.scanner) << name;
+    EXPECT_LT(off_footprint_m(vehicle.description.footprint,
+                              vehicle.description.scanner->T_vehicle_laser.position()),
+              0)
+        << name;
+    EXPECT_LT(vehicle.simulated.scanner.height_m, vehicle.description.footprint.height_m) << name;
+  }
 }
 
 TEST(VehicleYaml, TheCartHasTheCamerasOfRoomsAndCorridors) {

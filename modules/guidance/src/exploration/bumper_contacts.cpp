@@ -15,7 +15,9 @@ bool BumperContacts::touches(bool is_pressed) {
 std::optional<Gear> BumperContacts::stopped_after_contact(bool is_standing) {
   if (!is_to_note_ || !is_standing) return std::nullopt;
   is_to_note_ = false;
-  return driven_;
+  if (driven_ == LegDirection::kForward) return Gear::kForward;
+  if (driven_ == LegDirection::kReverse) return Gear::kReverse;
+  return std::nullopt;
 }
 
 }  // namespace aisle

@@ -100,7 +100,7 @@ std::string ExplorerNavigator::what_was_explored() const {
 Decision ExplorerNavigator::back_off(const Observation& observation) {
   if (contacts_.are_too_many() || !learner_.has_looked())
     return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
-  be_blocked(contacts_.driven_gear());
+  be_blocked(contacts_.driven_direction());
   return {.command = {.steering_rad = steering_rad_of(observation.odometry)}, .state = "touched"};
 }
 
@@ -113,9 +113,9 @@ void ExplorerNavigator::note_contact() {
   if (clearance_m > kContactKnown_m) learner_.add_contact(*gear);
 }
 
-void ExplorerNavigator::be_blocked(std::optional<Gear> gear) {
+void ExplorerNavigator::be_blocked(std::optional<LegDirection> direction) {
   count_failure();
-  blocks_.note(learner_.T_map_vehicle(), gear);
+  blocks_.note(learner_.T_map_vehicle(), direction);
   drop_path();
 }
 
@@ -143,12 +143,16 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
       if (search_.state() != CarSearch::State::kSearching) arrive();
       break;
     case PathDriver::State::kBlocked:
-      be_blocked(step.gear);
+      if (path_end_ == PathEnd::kHome && driver_.left_m() < HomeSearch::kLast_m) {
+        arrive();
+        break;
+      }
+      be_blocked(step.direction);
       return {.command = step.command, .state = "blocked"};
     case PathDriver::State::kTurningWheels:
       break;
     case PathDriver::State::kDriving:
-      contacts_.note_driving(*step.gear);
+      contacts_.note_driving(*step.direction);
       break;
   }
   return {.command = step.command, .state = state};

@@ -40,7 +40,8 @@ void ExplorerNavigator::begin_on_new_floor() {
 void ExplorerNavigator::check_path() {
   if (!driver_.has_path()) return;
   const double free_m = driver_.free_m(learner_.floor(), learner_.T_map_vehicle());
-  if (free_m >= driver_.left_m() - 1e-6) return;
+  const double ignored_m = path_end_ == PathEnd::kHome ? HomeSearch::kLast_m : 1e-6;
+  if (free_m >= driver_.left_m() - ignored_m) return;
   if (free_m < kStopClearance_m) {
     count_failure();
     return drop_path();
@@ -131,7 +132,7 @@ void ExplorerNavigator::leave_path() {
 void ExplorerNavigator::give_up_mission(const std::string& why) {
   drop_path();
   if (!learner_.is_standing()) return;
-  if (++last_retreats_ > kLastRetreatsMax || !retreat()) {
+  if (++last_retreats_ > kLastRetreatsMax || !(retreat() || back_out())) {
     end(NavigatorStatus::kFailed, "stuck", why);
     return;
   }

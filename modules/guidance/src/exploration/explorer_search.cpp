@@ -15,7 +15,8 @@ constexpr double kStageLeft_m = 2.5;      // left of a stage when the next one i
 constexpr double kShown_m2 = 0.03;        // a path that showed this much more floor was worth driving
 constexpr double kWedged_m = 0.5;         // a search that gets no farther fails because of where it began
 constexpr double kRetreat_m = 3;          // at least, along its trail, before it searches again ...
-constexpr double kRoomy_m = 0.15;         // ... where it has this much more clearance than it needs
+constexpr double kBackOut_m = 1;
+constexpr double kRoomy_m = 0.15;  // ... where it has this much more clearance than it needs
 
 }  // namespace
 
@@ -78,7 +79,7 @@ void ExplorerNavigator::begin_search() {
   }
   if (is_path && !target_->frontier.is_pocket && !driver_.has_path())
     target_search_.search_from_ends_too(tries_);
-  if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.blocked_gear());
+  if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.blocked_direction());
   keep_off_what_blocks();
   if (tries_.failures > 0) search_.relax_clearance();
 }
@@ -124,8 +125,8 @@ void ExplorerNavigator::find_no_path() {
   search_.stop();
   arrived_cycle_ = cycle_;
   if (!is_wedged_) count_failure();
-  if (blocks_.blocked_gear()) {
-    blocks_.unblock_gear();
+  if (blocks_.blocked_direction()) {
+    blocks_.unblock_direction();
     if (blocks_.times() > kBlocksMax) retreat();
     return;
   }
@@ -164,10 +165,22 @@ bool ExplorerNavigator::retreat() {
     return search_.footprint_clearance().clearance_m(learner_.floor(), T_map) > kRoomy_m;
   });
   if (back.empty()) return false;
+  go_back(back);
+  return true;
+}
+
+/// It has no trail yet: it was brought to where it stands, so it goes straight back once, over floor that it
+/// may not see. The bumper stops it at what stands there.
+bool ExplorerNavigator::back_out() {
+  if (last_retreats_ > 1) return false;
+  go_back(Path({{learner_.T_map_vehicle(), {-kBackOut_m, 0}}}));
+  return true;
+}
+
+void ExplorerNavigator::go_back(const Path& back) {
   driver_.take_trail(back);
   become(ExploringEvent::kTrailFound);
   want_search();
-  return true;
 }
 
 }  // namespace aisle

@@ -131,7 +131,7 @@ void GuideNavigator::begin_search() {
   const Vec2& p_map_place = p_map_places_[next_];
   search_.look_for(floor_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
                    [this](const Pose2& T_map) { return is_at_place(T_map); });
-  search_.forbid_first(std::exchange(blocked_gear_, std::nullopt));
+  search_.forbid_first(std::exchange(blocked_direction_, std::nullopt));
   if (relaxes_clearance_) search_.relax_clearance();
 }
 
@@ -169,7 +169,7 @@ Decision GuideNavigator::drive(const Observation& observation) {
                                               steering_rad_of(observation.odometry));
   const bool drives =
       step.state == PathDriver::State::kDriving || step.state == PathDriver::State::kTurningWheels;
-  if (step.state == PathDriver::State::kBlocked) blocked_gear_ = step.gear;
+  if (step.state == PathDriver::State::kBlocked) blocked_direction_ = step.direction;
   if (!drives && driver_.has_path()) drop_path();
   return {.command = step.command, .state = drives ? "driving" : "searching"};
 }

@@ -66,7 +66,7 @@ bool BrakingClearance::is_free_on_trail(const KnownFloor& floor, const Pose2& T_
                                         const Command& command, double steering_rad) const {
   return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
     return is_off_hit(T_vehicle_later, kHitOnTrail_m) &&
-           footprint_clearance_.lies_on_free(floor, T_map_vehicle * T_vehicle_later);
+           footprint_clearance_.lies_off_occupied(floor, T_map_vehicle * T_vehicle_later);
   });
 }
 
@@ -75,8 +75,8 @@ bool BrakingClearance::is_free_until_stopped(const Command& command, double stee
                                              IsFreeAt is_free_at) const {
   const double path_m = std::copysign(stopping_path_m(command.speed_mps), command.speed_mps);
   if (vehicle_.is_differential) {
-    const double turn_rad = command.turn_rate_rad_s * kReaction_s;
-    return is_free_at(end_pose({path_m, turn_rad}));
+    const double turn_rad = stopping_turn_rad(command.turn_rate_rad_s);
+    return is_free_at(end_pose({path_m / 2, turn_rad / 2})) && is_free_at(end_pose({path_m, turn_rad}));
   }
   const std::array<double, 2> steerings_rad = {steering_rad, command.steering_rad};
   return std::all_of(steerings_rad.begin(), steerings_rad.end(), [&](double wheels_rad) {
@@ -89,6 +89,12 @@ bool BrakingClearance::is_free_until_stopped(const Command& command, double stee
 double BrakingClearance::stopping_path_m(double speed_mps) const {
   const double speed = std::abs(speed_mps);
   return speed * kReaction_s + speed * speed / (2 * vehicle_.limits.deceleration_max_mps2) + kStopSlack_m;
+}
+
+double BrakingClearance::stopping_turn_rad(double rate_rad_s) const {
+  const double braking_rad =
+      rate_rad_s * std::abs(rate_rad_s) / (2 * vehicle_.limits.turn_acceleration_max_rad_s2);
+  return rate_rad_s * kReaction_s + braking_rad;
 }
 
 bool BrakingClearance::is_free_at(const KnownFloor& floor, const Pose2& T_map_vehicle,

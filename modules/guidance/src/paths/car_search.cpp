@@ -43,7 +43,7 @@ std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_shar
 }
 
 bool changes_direction(const Arc& a, const Arc& b) {
-  return a.length_m * b.length_m <= 0;
+  return direction_of(a) != direction_of(b);
 }
 
 CarSearch::IsGoal is_near(const Pose2& T_map_vehicle) {
@@ -190,7 +190,7 @@ bool CarSearch::is_leaving(const Pose2& T_map) const {
 }
 
 bool CarSearch::is_forbidden_first(const Arc& arc) const {
-  return forbidden_first_ && arc.length_m * sign(*forbidden_first_) > 0;
+  return forbidden_first_ == direction_of(arc);
 }
 
 bool CarSearch::is_found(const Node& node) const {

@@ -110,7 +110,8 @@ bool FootprintClearance::fits_barely(const KnownFloor& floor, const Pose2& T_map
          lies_on_free(floor, T_map_vehicle);
 }
 
-bool FootprintClearance::lies_on_free(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
+bool FootprintClearance::lies_on(const KnownFloor& floor, const Pose2& T_map_vehicle,
+                                 const std::function<bool(FloorCell)>& is_good) const {
   const Vec2 ahead = unit(T_map_vehicle.theta), lateral = left_normal(ahead);
   const FloorGrid& grid = floor.grid();
   const double inset_m = grid.cell_m() / 2;
@@ -126,7 +127,7 @@ bool FootprintClearance::lies_on_free(const KnownFloor& floor, const Pose2& T_ma
       const double x = length_m * column / columns + inset_m - footprint_.rear_m;
       const FloorCell cell = grid.cell_at(T_map_vehicle.position() + x * ahead + y * lateral);
       const double free_m = floor.clearance().to_doubtful_m(cell);
-      if (free_m <= 0 && !floor.is_free(cell)) return false;
+      if (free_m <= 0 && !is_good(cell)) return false;
       column += std::max(1, static_cast<int>((free_m - grid.cell_m()) * columns / length_m));
     }
   }

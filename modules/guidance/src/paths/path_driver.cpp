@@ -9,8 +9,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kWatchMargin_m = 0.02;  // around the footprint
-constexpr double kCreeping_mps = 0.04;   // where it could not stop in time at the path's speed
+constexpr double kWatchMargin_m = 0.02;           // around the footprint
+constexpr double kCreeping_mps = 0.04;            // where it could not stop in time at the path's speed ...
+constexpr double kCreeping_rad_s = 10 * kDegree;  // ... or, on the spot, as fast as it would turn
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 25 * kDegree;
 constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
@@ -20,6 +21,16 @@ SteeringParams turning_late(SteeringParams steering) {
   steering.bend_ahead_m = kLateBendAhead_m;
   steering.bend_ahead_s = 0;
   return steering;
+}
+
+/// The same bend, driven slowly.
+Command creeping(const Command& command) {
+  Command slow = command;
+  slow.speed_mps = std::clamp(command.speed_mps, -kCreeping_mps, kCreeping_mps);
+  slow.turn_rate_rad_s = command.speed_mps == 0
+                             ? std::clamp(command.turn_rate_rad_s, -kCreeping_rad_s, kCreeping_rad_s)
+                             : command.turn_rate_rad_s * (slow.speed_mps / command.speed_mps);
+  return slow;
 }
 
 }  // namespace
@@ -34,9 +45,8 @@ PathDriver::PathDriver(const VehicleDescription& vehicle, const SteeringParams& 
 
 void PathDriver::take(const Path& path) {
   if (!has_path()) leg_begun_ = 0;
-  const double along_m = has_path() ? progress_->point().along_m : 0;
   path_ = path_.followed_by(path);
-  progress_.emplace(path_, along_m);
+  progress_ = has_path() ? PathProgress(path_, progress_->point()) : PathProgress(path_);
 }
 
 void PathDriver::take_trail(const Path& path) {
@@ -47,8 +57,9 @@ void PathDriver::take_trail(const Path& path) {
 
 void PathDriver::shorten(double ahead_m) {
   const PathPoint point = progress_->point();
-  path_ = path_.up_to(std::min(point.along_m + ahead_m, path_.leg_end_m(point.piece)));
-  progress_.emplace(path_, std::min(point.along_m, path_.length_m()));
+  path_ = path_.up_to(std::min(point.along_m + ahead_m, path_.leg_end_m(point.piece)),
+                      path_.leg_end(point.piece));
+  progress_.emplace(path_, point);
 }
 
 void PathDriver::drop() {
@@ -75,15 +86,14 @@ PathDriver::Step PathDriver::drive(const KnownFloor& floor, const FootprintClear
   const Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
   if (const auto wheels_rad = wheels_to_turn_rad(point, command.steering_rad, steering_rad))
     return {State::kTurningWheels, {.steering_rad = *wheels_rad}};
-  const Gear gear = command.speed_mps > 0 ? Gear::kForward : Gear::kReverse;
-  if (is_free(floor, T_map_vehicle, command, steering_rad)) return {State::kDriving, command, gear};
-  Command creeping = command;
-  creeping.speed_mps = std::clamp(command.speed_mps, -kCreeping_mps, kCreeping_mps);
-  if (is_free(floor, T_map_vehicle, creeping, steering_rad)) return {State::kDriving, creeping, gear};
+  const LegDirection direction = direction_of(path_.pieces()[point.piece].arc);
+  if (is_free(floor, T_map_vehicle, command, steering_rad)) return {State::kDriving, command, direction};
+  const Command slow = creeping(command);
+  if (is_free(floor, T_map_vehicle, slow, steering_rad)) return {State::kDriving, slow, direction};
   const bool is_for_wheels = std::abs(command.steering_rad - steering_rad) > kWheelsTurned_rad &&
                              is_free(floor, T_map_vehicle, command, command.steering_rad);
-  if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, gear};
-  return {State::kBlocked, standing, gear};
+  if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, direction};
+  return {State::kBlocked, standing, direction};
 }
 
 bool PathDriver::is_free(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,

@@ -90,9 +90,9 @@ void StagedSearch::keep_to(const std::function<bool(const Pose2&)>& is_free) {
   from_ends_.keep_to(is_free);
 }
 
-void StagedSearch::forbid_first(std::optional<Gear> gear) {
-  search_.forbid_first(gear);
-  from_ends_.forbid_first(gear);
+void StagedSearch::forbid_first(std::optional<LegDirection> direction) {
+  search_.forbid_first(direction);
+  from_ends_.forbid_first(direction);
 }
 
 void StagedSearch::relax_clearance() {

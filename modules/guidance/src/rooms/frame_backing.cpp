@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "aisle/guidance/rooms/route_floor.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 

@@ -26,18 +26,27 @@ TEST(BumperContacts, AreTooManyAfterTheFifth) {
 
 TEST(BumperContacts, SayOnceInWhichGearItTouchedSomethingWhenItStands) {
   BumperContacts contacts;
-  contacts.note_driving(Gear::kForward);
-  contacts.note_driving(Gear::kReverse);
+  contacts.note_driving(LegDirection::kForward);
+  contacts.note_driving(LegDirection::kReverse);
   contacts.touches(true);
   EXPECT_EQ(contacts.stopped_after_contact(false), std::nullopt);
   EXPECT_EQ(contacts.stopped_after_contact(true), Gear::kReverse);
   EXPECT_EQ(contacts.stopped_after_contact(true), std::nullopt);
 }
 
+TEST(BumperContacts, WhileItTurnsOnTheSpotNeitherEndLeads) {
+  BumperContacts contacts;
+  contacts.note_driving(LegDirection::kForward);
+  contacts.note_driving(LegDirection::kRight);
+  contacts.touches(true);
+  EXPECT_EQ(contacts.stopped_after_contact(true), std::nullopt);
+  EXPECT_EQ(contacts.driven_direction(), LegDirection::kRight);
+}
+
 TEST(BumperContacts, BeforeItFirstDroveNothingIsKnownOfWhereItWasTouched) {
   BumperContacts contacts;
   EXPECT_TRUE(contacts.touches(true));
-  EXPECT_EQ(contacts.driven_gear(), std::nullopt);
+  EXPECT_EQ(contacts.driven_direction(), std::nullopt);
   EXPECT_EQ(contacts.stopped_after_contact(true), std::nullopt);
 }
 

@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-class PathsHome : public testing::Test {
+class PathsHome : public testing::TestWithParam<bool> {
  protected:
   Path found() {
     EXPECT_EQ(search_.advance(known_, 200000), CarSearch::State::kFound);
@@ -15,12 +15,14 @@ class PathsHome : public testing::Test {
   }
 
   KnownFloor known_ = free_floor({{Vec2(0, 0), Vec2(10, 3)}});
-  StagedSearch search_{{}, cart()};
+  StagedSearch search_{{}, cart_of(GetParam())};
   HomeSearch home_search_{search_};
   Pose2 T_map_home_{2.5, 1.5, 0};
 };
 
-TEST_F(PathsHome, EndExactlyThereAfterAStraightMetre) {
+INSTANTIATE_TEST_SUITE_P(, PathsHome, testing::Bool(), name_of_drive);
+
+TEST_P(PathsHome, EndExactlyThereAfterAStraightMetre) {
   for (const double from_x_m : {0.5, 6.5}) {
     home_search_.look_for(known_, T_map_home_, {from_x_m, 1.2, 0});
     const Path path = found();
@@ -34,7 +36,7 @@ TEST_F(PathsHome, EndExactlyThereAfterAStraightMetre) {
   }
 }
 
-TEST_F(PathsHome, NearHomeIsNotHome) {
+TEST_P(PathsHome, NearHomeIsNotHome) {
   home_search_.look_for_near(known_, T_map_home_, {7, 1.5, 0});
   const Path path = found();
   EXPECT_FALSE(home_search_.leads_home());
@@ -44,7 +46,7 @@ TEST_F(PathsHome, NearHomeIsNotHome) {
   EXPECT_FALSE(stands_at_home(T_map_home_, path.end()));
 }
 
-TEST_F(PathsHome, AStageOfAFarPathDoesNotLeadHomeYet) {
+TEST_P(PathsHome, AStageOfAFarPathDoesNotLeadHomeYet) {
   known_ = free_floor({{Vec2(0, 0), Vec2(40, 3)}});
   home_search_.look_for(known_, T_map_home_, {37, 1.5, kPi});
   found();

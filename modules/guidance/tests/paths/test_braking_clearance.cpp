@@ -41,6 +41,14 @@ TEST(BrakingClearance, StopsBeforeLaserReturnsThatTheFloorDoesNotShow) {
   EXPECT_TRUE(may_drive(blocked, {4, 2, 0}, {.speed_mps = -0.3}));
 }
 
+/// At 0.6 m from the wall the cart's front corner touches it when it is turned by 25 degrees.
+TEST(BrakingClearance, TurnsOnTheSpotOnlyAsFastAsItCouldStopItsCorners) {
+  const BrakingClearance braking(differential_cart(), 0.02);
+  const Pose2 T_map_vehicle{5, 3.4, 0};
+  EXPECT_TRUE(may_drive(braking, T_map_vehicle, {.turn_rate_rad_s = 20 * kDegree}));
+  EXPECT_FALSE(may_drive(braking, T_map_vehicle, {.turn_rate_rad_s = 90 * kDegree}));
+}
+
 TEST(BrakingClearance, IgnoresUnusableReadings) {
   EXPECT_TRUE(may_drive(braking_seeing(std::vector<float>(181, 0)), {4, 2, 0}, {.speed_mps = 0.4}));
 }
@@ -50,6 +58,14 @@ TEST(BrakingClearance, TooNearAWallItMayDriveAlongItButNotNearer) {
   const Pose2 T_map_vehicle{5, 0.305, 0};
   EXPECT_TRUE(may_drive(braking, T_map_vehicle, {.speed_mps = 0.1}));
   EXPECT_FALSE(may_drive(braking, T_map_vehicle, {.speed_mps = 0.4, .steering_rad = -30 * kDegree}));
+}
+
+/// Brought to where it stands, it may have come over floor that it does not see.
+TEST(BrakingClearance, OnItsTrailUnseenFloorDoesNotStopIt) {
+  const BrakingClearance braking = braking_seeing({});
+  const Command back{.speed_mps = -0.1};
+  EXPECT_FALSE(braking.is_free(kHall, {0.3, 2, 0}, back, 0));
+  EXPECT_TRUE(braking.is_free_on_trail(kHall, {0.3, 2, 0}, back, 0));
 }
 
 TEST(BrakingClearance, OnItsTrailItMayComeNearToObstaclesBesideIt) {

@@ -12,6 +12,7 @@ void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDes
   for (double along_m = 0; along_m <= path.length_m(); along_m += 0.02) {
     const PathPoint point = path.at(along_m);
     EXPECT_TRUE(footprint_clearance.fits_barely(known, point.T_map_path, {-1, -1})) << along_m;
+    if (vehicle.is_differential) continue;
     EXPECT_LE(std::abs(point.curvature_per_m) * vehicle.front_steered.wheelbase_m,
               std::tan(vehicle.limits.steering_max_rad));
   }
@@ -22,37 +23,44 @@ CarSearch::State run(const KnownFloor& known, CarSearch& search) {
   return search.state();
 }
 
+class CarSearchOfEitherDrive : public testing::TestWithParam<bool> {
+ protected:
+  const VehicleDescription vehicle_ = cart_of(GetParam());
+};
+
+INSTANTIATE_TEST_SUITE_P(, CarSearchOfEitherDrive, testing::Bool(), name_of_drive);
+
 double no_guide(const Vec2&) {
   return 0;
 }
 
-TEST(CarSearch, TurnsRoundInACorridorWhereItCan) {
+TEST_P(CarSearchOfEitherDrive, TurnsRoundInACorridorWhereItCan) {
   const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(12, 2.2)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   search.look_for(
       {3, 1.1, 0}, [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; }, no_guide);
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
-  expect_drivable(search.path(), known, cart());
+  expect_drivable(search.path(), known, vehicle_);
 }
 
-TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
+TEST_P(CarSearchOfEitherDrive, ReversesOutOfWhereItCannotTurn) {
   const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(8, 0.95)}, {Vec2(0, 0), Vec2(2.2, 4)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   search.look_for(
       {6, 0.475, 0}, [](const Pose2& T) { return T.y > 2; },
       [](const Vec2& p) { return std::max(0.0, 2 - p.y()); });
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
-  expect_drivable(search.path(), known, cart());
+  expect_drivable(search.path(), known, vehicle_);
 }
 
-TEST(CarSearch, LeavesADoorwayThatIsTooNarrowToEnter) {
+TEST_P(CarSearchOfEitherDrive, LeavesADoorwayThatIsTooNarrowToEnter) {
   KnownFloor known =
       free_floor({{Vec2(0, 0), Vec2(3, 3)}, {Vec2(3, 1.15), Vec2(3.2, 1.85)}, {Vec2(3.2, 0), Vec2(6, 3)}});
   for (int y = 0; y < 60; ++y) {
     if (y < 23 || y >= 37) occupy(known, {62, y});
   }
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   const auto beyond = [](const Pose2& T) { return T.x > 4; };
   search.look_for({1, 1.5, 0}, beyond, no_guide);
   EXPECT_EQ(run(known, search), CarSearch::State::kNone);
@@ -61,19 +69,19 @@ TEST(CarSearch, LeavesADoorwayThatIsTooNarrowToEnter) {
   EXPECT_GT(search.reached_m(), 1);
 }
 
-TEST(CarSearch, BeginsInTheOtherDirectionIfOneIsForbidden) {
+TEST_P(CarSearchOfEitherDrive, BeginsInTheOtherDirectionIfOneIsForbidden) {
   const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(10, 5)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   search.look_for(
       {4, 2.5, 0}, [](const Pose2& T) { return T.x > 7; }, no_guide);
-  search.forbid_first(Gear::kForward);
+  search.forbid_first(LegDirection::kForward);
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
-  EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
+  EXPECT_NE(direction_of(search.path().pieces().front().arc), LegDirection::kForward);
 }
 
-TEST(CarSearch, AvoidsForbiddenPosesThatTheFloorShowsAsFree) {
+TEST_P(CarSearchOfEitherDrive, AvoidsForbiddenPosesThatTheFloorShowsAsFree) {
   const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(12, 5)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   const auto is_free = [](const Pose2& T) { return (T.position() - Vec2(6, 2.5)).norm() > 1; };
   search.look_for(
       {2, 2.5, 0}, [](const Pose2& T) { return T.x > 9; }, no_guide);
@@ -84,24 +92,24 @@ TEST(CarSearch, AvoidsForbiddenPosesThatTheFloorShowsAsFree) {
     EXPECT_GT((path.at(along_m).T_map_path.position() - Vec2(6, 2.5)).norm(), 0.98);
 }
 
-TEST(CarSearch, EndsExactlyAtAPose) {
+TEST_P(CarSearchOfEitherDrive, EndsExactlyAtAPose) {
   const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(10, 5)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   const Pose2 T_map_goal{2, 2, 0.3}, T_map_vehicle{8, 3, 1};
   search.look_for_path_to(T_map_goal, T_map_vehicle,
                           [&](const Vec2& p) { return (p - T_map_vehicle.position()).norm(); });
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   const Path path = search.path();
-  const Pose2 missed = between(T_map_goal, path.at(path.length_m()).T_map_path);
+  const Pose2 missed = between(T_map_goal, path.end());
   EXPECT_LT(missed.position().norm(), 1e-6);
   EXPECT_LT(std::abs(missed.theta), 1e-6);
   EXPECT_LT((path.at(0).T_map_path.position() - T_map_vehicle.position()).norm(), 0.13);
-  expect_drivable(path, known, cart());
+  expect_drivable(path, known, vehicle_);
 }
 
-TEST(CarSearch, EndsAtAnyGoodPose) {
+TEST_P(CarSearchOfEitherDrive, EndsAtAnyGoodPose) {
   const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(10, 5)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   const auto is_good = [](const Pose2& T) { return T.x < 3 && std::abs(wrap_angle(T.theta - kPi)) < 0.2; };
   const Pose2 T_map_vehicle{8, 3, 1};
   const FloorBox places{known.grid().cell_at({1, 1}), known.grid().cell_at({5, 4})};
@@ -109,9 +117,9 @@ TEST(CarSearch, EndsAtAnyGoodPose) {
                               [&](const Vec2& p) { return (p - T_map_vehicle.position()).norm(); });
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   const Path path = search.path();
-  EXPECT_TRUE(is_good(path.at(path.length_m()).T_map_path));
+  EXPECT_TRUE(is_good(path.end()));
   EXPECT_LT((path.at(0).T_map_path.position() - T_map_vehicle.position()).norm(), 0.13);
-  expect_drivable(path, known, cart());
+  expect_drivable(path, known, vehicle_);
 }
 
 TEST(CarSearch, TriesFewPosesWhereAllGoodOnesAreShutOff) {
@@ -124,9 +132,9 @@ TEST(CarSearch, TriesFewPosesWhereAllGoodOnesAreShutOff) {
   EXPECT_LT(search.expansions(), 5000);
 }
 
-TEST(CarSearch, TriesNoMoreEndsThanAPortionAllows) {
+TEST_P(CarSearchOfEitherDrive, TriesNoMoreEndsThanAPortionAllows) {
   const KnownFloor hall = free_floor({{Vec2(0, 0), Vec2(20, 20)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   int tried = 0;
   const auto never = [&](const Pose2&) {
     ++tried;
@@ -138,6 +146,23 @@ TEST(CarSearch, TriesNoMoreEndsThanAPortionAllows) {
     tried = 0;
   }
   EXPECT_TRUE(search.has_tried_all());
+}
+
+/// One leg for the whole turn: at each stop the vehicle would slow down.
+TEST(CarSearch, TurnsOnTheSpotInOneGo) {
+  const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(12, 3)}});
+  CarSearch search({}, differential_cart());
+  search.look_for(
+      {3, 1.5, 0}, [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; }, no_guide);
+  ASSERT_EQ(run(known, search), CarSearch::State::kFound);
+  const Path path = search.path();
+  ASSERT_EQ(path.pieces().size(), 1U);
+  EXPECT_TRUE(path.pieces().front().is_on_the_spot());
+  search.look_for(
+      {3, 1.5, 0}, [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi / 2)) < 0.1; }, no_guide);
+  search.forbid_first(LegDirection::kLeft);
+  ASSERT_EQ(run(known, search), CarSearch::State::kFound);
+  EXPECT_NE(direction_of(search.path().pieces().front().arc), LegDirection::kLeft);
 }
 
 TEST(CarSearch, PassesANarrowGapWithRelaxedClearance) {
@@ -154,17 +179,17 @@ TEST(CarSearch, PassesANarrowGapWithRelaxedClearance) {
   expect_drivable(search.path(), room_off_corridor, cart());
 }
 
-TEST(CarSearch, FindsNoPathBeyondKnownFloor) {
+TEST_P(CarSearchOfEitherDrive, FindsNoPathBeyondKnownFloor) {
   const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(4, 2)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   search.look_for(
       {2, 1, 0}, [](const Pose2& T) { return T.x > 6; }, no_guide);
   EXPECT_EQ(run(known, search), CarSearch::State::kNone);
 }
 
-TEST(CarSearch, KnowsWhereItCameIfItFoundNoPath) {
+TEST_P(CarSearchOfEitherDrive, KnowsWhereItCameIfItFoundNoPath) {
   const KnownFloor two_rooms = free_floor({{Vec2(0, 0), Vec2(4, 4)}, {Vec2(6, 0), Vec2(10, 4)}});
-  CarSearch search({}, cart());
+  CarSearch search({}, vehicle_);
   search.look_for(
       {2, 2, 0}, [](const Pose2&) { return false; }, no_guide);
   EXPECT_EQ(run(two_rooms, search), CarSearch::State::kNone);
@@ -173,10 +198,10 @@ TEST(CarSearch, KnowsWhereItCameIfItFoundNoPath) {
   EXPECT_FALSE(search.has_come_to({8, 2}, 1.5));
 }
 
-TEST(CarSearch, FindsTheSamePathInPortions) {
+TEST_P(CarSearchOfEitherDrive, FindsTheSamePathInPortions) {
   const KnownFloor known = free_floor({{Vec2(0, 0), Vec2(12, 2.2)}});
   const auto is_turned = [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; };
-  CarSearch whole({}, cart()), portions({}, cart());
+  CarSearch whole({}, vehicle_), portions({}, vehicle_);
   whole.look_for({3, 1.1, 0}, is_turned, no_guide);
   portions.look_for({3, 1.1, 0}, is_turned, no_guide);
   run(known, whole);

@@ -9,49 +9,48 @@ namespace {
 constexpr double kStage_m = 6;
 
 /// A corridor 30 m long in which the vehicle can turn round only at the far end.
-struct LongCorridor {
+class LongCorridor : public testing::TestWithParam<bool> {
+ protected:
   KnownFloor known = free_floor({{Vec2(0, 0), Vec2(30, 1.1)}, {Vec2(27, 0), Vec2(30, 4)}});
-  StagedSearch search{{.stage_m = kStage_m}, cart()};
+  StagedSearch search{{.stage_m = kStage_m}, cart_of(GetParam())};
 
   Path found() { return search.advance(known, 1000000) == CarSearch::State::kFound ? search.path() : Path(); }
 };
 
-TEST(StagedSearch, LeadsOneStageTowardsADistantGoal) {
-  LongCorridor corridor;
+INSTANTIATE_TEST_SUITE_P(, LongCorridor, testing::Bool(), name_of_drive);
+
+TEST_P(LongCorridor, LeadsOneStageTowardsADistantGoal) {
   const Vec2 p_map_place(28, 0.5);
-  corridor.search.look_for(corridor.known, {2, 0.55, 0}, p_map_place, 0,
-                           [](const Pose2& T) { return T.x > 26; });
-  const Path path = corridor.found();
-  EXPECT_TRUE(corridor.search.is_stage());
+  search.look_for(known, {2, 0.55, 0}, p_map_place, 0, [](const Pose2& T) { return T.x > 26; });
+  const Path path = found();
+  EXPECT_TRUE(search.is_stage());
   EXPECT_GE(path.length_m(), kStage_m - 0.5);
   EXPECT_LE(path.length_m(), kStage_m + 1);
 }
 
-TEST(StagedSearch, LeadsToTheGoalStageByStage) {
-  LongCorridor corridor;
+TEST_P(LongCorridor, LeadsToTheGoalStageByStage) {
   Pose2 T_map{2, 0.55, 0};
   int stages = 0;
   bool is_stage = true;
   for (; is_stage && stages < 10; ++stages) {
-    corridor.search.look_for(corridor.known, T_map, {28, 0.5}, 0, [](const Pose2& T) { return T.x > 26; });
-    const Path path = corridor.found();
+    search.look_for(known, T_map, {28, 0.5}, 0, [](const Pose2& T) { return T.x > 26; });
+    const Path path = found();
     ASSERT_FALSE(path.empty());
-    T_map = path.at(path.length_m()).T_map_path;
-    is_stage = corridor.search.is_stage();
+    T_map = path.end();
+    is_stage = search.is_stage();
   }
   EXPECT_GT(T_map.x, 26);
   EXPECT_GE(stages, 3);
   EXPECT_LE(stages, 5);
 }
 
-TEST(StagedSearch, EndsExactlyAtANearPose) {
-  LongCorridor corridor;
+TEST_P(LongCorridor, EndsExactlyAtANearPose) {
   const Pose2 T_map_goal{4, 0.5, 0};
-  corridor.search.look_for_path_to(corridor.known, T_map_goal, {10, 0.55, 0});
-  const Path path = corridor.found();
+  search.look_for_path_to(known, T_map_goal, {10, 0.55, 0});
+  const Path path = found();
   ASSERT_FALSE(path.empty());
-  EXPECT_FALSE(corridor.search.is_stage());
-  EXPECT_LT(between(T_map_goal, path.at(path.length_m()).T_map_path).position().norm(), 1e-6);
+  EXPECT_FALSE(search.is_stage());
+  EXPECT_LT(between(T_map_goal, path.end()).position().norm(), 1e-6);
 }
 
 TEST(StagedSearch, FindsNoPathOutOfAClosedRoom) {

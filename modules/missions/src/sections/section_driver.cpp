@@ -27,16 +27,22 @@ SectionRun run_of(const SessionOrigin& origin, bool and_back) {
 
 }  // namespace
 
+Problems unfit_for_sections(const VehicleDescription& vehicle) {
+  Problems problems;
+  if (vehicle.cameras.empty())
+    problems.push_back({{"", 0, "cameras"}, "there is none: nothing can be followed"});
+  if (!vehicle.is_differential)
+    problems.push_back({{"", 0, "is_differential"}, "is false: sections need turns on the spot"});
+  return problems;
+}
+
 Result<std::unique_ptr<SectionNavigator>> make_section_navigator(const SessionOrigin& origin,
                                                                  const VehicleDescription& vehicle) {
   auto building = parse_building(origin.building, "building");
   if (!building) return building.problems();
   SectionDriverParams params;
   Problems problems = assign_all(params, origin.parameters);
-  if (vehicle.cameras.empty())
-    problems.push_back({{"", 0, "cameras"}, "there is none: nothing can be followed"});
-  if (!vehicle.is_differential)
-    problems.push_back({{"", 0, "is_differential"}, "is false: sections need turns on the spot"});
+  for (Problem& problem : unfit_for_sections(vehicle)) problems.push_back(std::move(problem));
   auto route = find_section_route(*building, origin.route);
   if (!route) problems.insert(problems.end(), route.problems().begin(), route.problems().end());
   if (!problems.empty()) return problems;

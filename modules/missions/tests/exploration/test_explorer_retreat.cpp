@@ -81,5 +81,16 @@ TEST(ExplorerRetreat, GoesBackAlongItsOwnTrailOutOfANarrowDeadEndAndThenHome) {
   EXPECT_GE(stuck, 5);  // others find a path out by themselves
 }
 
+/// Its front 0.1 m before the wall: it can neither go on nor turn, and sees no floor behind itself.
+TEST(ExplorerRetreat, BacksOutFromAWallThatItWasPutDownBeforeAndComesHome) {
+  const World corridor = walled_by({{0, 0}, {8, 0}, {8, 2.4}, {0, 2.4}}, {4, 2.046, 90 * kDegree});
+  ExplorerRun run(corridor, 1, {}, "jackal");
+  while (run.goes_on(kTimeMax_s)) run.step();
+  EXPECT_EQ(run.last.status, NavigatorStatus::kDone);
+  EXPECT_EQ(run.last.why, "explored");
+  EXPECT_EQ(run.vehicle.truth().collisions, 0U);
+  EXPECT_LT(run.off_home_m(), 0.1);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -10,6 +10,7 @@
 #include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/section_text.hpp"
 #include "aisle/geometry/polyline.hpp"
+#include "aisle/missions/sections/section_driver.hpp"
 #include "aisle/missions/statistics.hpp"
 #include "landmarks/landmark_course.hpp"
 #include "mission_count.hpp"
@@ -89,6 +90,8 @@ Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint
   auto setting =
       setting_of_seed(options, seed, kSectionMethod.vehicle_or_usual(options.vehicle), kCorridorBuildings);
   if (!setting) return setting.problems();
+  if (Problems problems = unfit_for_sections(setting->vehicle.description); !problems.empty())
+    return at_file(problems, options.vehicle);
   setting->world.tour = longest_without_turning_back(setting->world.tour);
   setting->world.start.reset();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty())

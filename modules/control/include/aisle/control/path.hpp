@@ -10,6 +10,14 @@
 
 namespace aisle {
 
+/// What a vehicle does between two stops: it drives either way, or turns on the spot to either side.
+enum class LegDirection { kForward, kReverse, kLeft, kRight };
+
+constexpr LegDirection direction_of(const Arc& arc) {
+  if (arc.length_m == 0) return arc.turn_rad < 0 ? LegDirection::kRight : LegDirection::kLeft;
+  return arc.length_m < 0 ? LegDirection::kReverse : LegDirection::kForward;
+}
+
 /// One line or arc of a path. Driven backwards it has a negative length; of a turn on the spot it is 0.
 struct PathPiece {
   Pose2 T_map_start;
@@ -76,8 +84,10 @@ class Path {
   /// Distance from the path's start to the end of that leg.
   double leg_end_m(std::size_t piece) const;
 
-  /// Its first `along_m`, at least 1 mm of it. The path must not be empty.
-  Path up_to(double along_m) const;
+  /// Its first `along_m`, at least 1 mm of it, with a turn on the spot there. The path must not be empty.
+  Path up_to(double along_m) const { return up_to(along_m, pieces_.size()); }
+  /// The same of the pieces before `end` only, of which there must be one.
+  Path up_to(double along_m, std::size_t end) const;
   /// With another behind it, which must begin where this one ends.
   Path followed_by(const Path& next) const;
 

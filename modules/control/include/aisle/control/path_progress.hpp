@@ -11,6 +11,8 @@ class PathProgress {
   /// @param path  not empty; must outlive the progress
   /// @param along_m  where the vehicle is to begin with
   explicit PathProgress(const Path& path, double along_m = 0);
+  /// Continues on a path that is the same up to a point and on the leg through it.
+  PathProgress(const Path& path, const PathPoint& from);
 
   /// Moves on to where the path is nearest to the vehicle, at most 1 m ahead or 0.5 m back.
   const PathPoint& advance(const Pose2& T_map_vehicle);

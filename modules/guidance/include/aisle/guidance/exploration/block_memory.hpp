@@ -3,23 +3,22 @@
 #include <optional>
 #include <vector>
 
-#include "aisle/geometry/pose2.hpp"
-#include "aisle/vehicle/gear.hpp"
+#include "aisle/control/path.hpp"
 
 namespace aisle {
 
 /// Remembers where the vehicle was stopped by something that the floor map does not show.
 class BlockMemory {
  public:
-  /// The vehicle was stopped here while driving in a gear, or touched while standing (nullopt).
-  void note(const Pose2& T_map_vehicle, std::optional<Gear> gear);
+  /// The vehicle was stopped here while driving in a direction, or touched while standing (nullopt).
+  void note(const Pose2& T_map_vehicle, std::optional<LegDirection> direction);
 
   /// Whether it was last stopped there or close by.
   bool was_at(const Pose2& T_map) const;
-  /// The next path from there must not begin in this gear; nullopt: it may begin either way.
-  std::optional<Gear> blocked_gear() const { return blocked_gear_; }
-  /// There is no other path: it may begin either way again.
-  void unblock_gear() { blocked_gear_.reset(); }
+  /// The next path from there must not begin in this direction; nullopt: it may begin in any.
+  std::optional<LegDirection> blocked_direction() const { return blocked_direction_; }
+  /// There is no other path: it may begin in any direction again.
+  void unblock_direction() { blocked_direction_.reset(); }
   /// How many times in a row it was stopped on that spot.
   int times() const { return times_; }
 
@@ -31,7 +30,7 @@ class BlockMemory {
 
  private:
   Vec2 p_map_ = Vec2::Constant(1e9);
-  std::optional<Gear> blocked_gear_;
+  std::optional<LegDirection> blocked_direction_;
   int times_ = 0;
   std::vector<Pose2> T_map_barred_;
 };

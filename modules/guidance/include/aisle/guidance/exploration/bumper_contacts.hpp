@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "aisle/control/path.hpp"
 #include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
@@ -13,7 +14,7 @@ class BumperContacts {
   static constexpr int kMost = 5;  ///< of a mission: with more, something is wrong
 
   /// To be called in each cycle in which the vehicle drives.
-  void note_driving(Gear gear) { driven_ = gear; }
+  void note_driving(LegDirection direction) { driven_ = direction; }
 
   /// Once a cycle.
   /// @return whether the bumper has touched something since the last cycle
@@ -21,16 +22,16 @@ class BumperContacts {
 
   /// Once a cycle without a new contact.
   /// @return once for a contact, when the vehicle has come to a stand: the gear that it drove in; never for
-  ///         one before it first drove
+  ///         one before it first drove, or while it turned on the spot
   std::optional<Gear> stopped_after_contact(bool is_standing);
 
   /// In which it drove last; nullopt: it has not driven yet.
-  std::optional<Gear> driven_gear() const { return driven_; }
+  std::optional<LegDirection> driven_direction() const { return driven_; }
   int count() const { return count_; }
   bool are_too_many() const { return count_ > kMost; }
 
  private:
-  std::optional<Gear> driven_;
+  std::optional<LegDirection> driven_;
   bool is_pressed_ = false;
   bool is_to_note_ = false;
   int count_ = 0;

@@ -72,7 +72,7 @@ class ExplorerNavigator final : public Navigator {
   // bumper contacts
   Decision back_off(const Observation& observation);
   void note_contact();
-  void be_blocked(std::optional<Gear> gear);
+  void be_blocked(std::optional<LegDirection> direction);
 
   // where to go
   void plan(FloorLearner::News news);
@@ -103,6 +103,8 @@ class ExplorerNavigator final : public Navigator {
   bool is_target_shut_off() const;
   void count_failure();
   bool retreat();
+  bool back_out();
+  void go_back(const Path& back);
 
   // on the path
   void keep_trail(FloorLearner::News news);

@@ -94,8 +94,8 @@ class GuideNavigator final : public Navigator {
   double progress_s_ = 0;                      ///< when it last got on
   Vec2 p_map_progress_ = Vec2::Constant(1e9);  ///< where that was
   double searched_s_ = 0;
-  std::optional<Gear> blocked_gear_;  ///< in which the vehicle could just not go on
-  bool relaxes_clearance_ = false;    ///< through less room, as the search before found no path
+  std::optional<LegDirection> blocked_direction_;  ///< in which the vehicle could just not go on
+  bool relaxes_clearance_ = false;                 ///< through less room, as the search before found no path
   std::size_t ways_closed_ = 0;
 };
 

@@ -10,6 +10,8 @@ class HomeSearch {
  public:
   static constexpr double kNear_m = 1.5;  ///< a pose within both limits is near home
   static constexpr double kNear_rad = 30 * kDegree;
+  /// Of a path home: here the floor may show less clearance than the vehicle had when it started.
+  static constexpr double kLast_m = 0.1;
 
   /// @param search  must outlive this
   explicit HomeSearch(StagedSearch& search) : search_(search) {}

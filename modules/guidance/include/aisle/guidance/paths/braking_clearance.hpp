@@ -26,9 +26,9 @@ class BrakingClearance {
   bool is_free(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
                double steering_rad) const;
 
-  /// The same on the vehicle's own trail: only the floor under its footprint must be free. Obstacles beside
-  /// it do not matter, as the floor may show them thicker than they are; laser returns may be nearer, as the
-  /// vehicle has passed them before.
+  /// The same on the vehicle's own trail: only what is known to stand under its footprint stops it. Obstacles
+  /// beside it do not matter, as the floor may show them thicker than they are; laser returns may be nearer,
+  /// as the vehicle has passed them before.
   bool is_free_on_trail(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
                         double steering_rad) const;
 
@@ -38,6 +38,7 @@ class BrakingClearance {
   bool is_free_until_stopped(const Command& command, double steering_rad, IsFreeAt is_free_at) const;
   bool is_free_at(const KnownFloor& floor, const Pose2& T_map_vehicle, const Pose2& T_vehicle_later) const;
   double stopping_path_m(double speed_mps) const;
+  double stopping_turn_rad(double rate_rad_s) const;
   double hit_m(const Pose2& T_vehicle_later) const;
 
   VehicleDescription vehicle_;

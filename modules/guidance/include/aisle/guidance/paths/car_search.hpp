@@ -14,7 +14,6 @@
 #include "aisle/core/parameters.hpp"
 #include "aisle/exploration/floor_distances.hpp"
 #include "aisle/guidance/paths/footprint_clearance.hpp"
-#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -57,9 +56,9 @@ class CarSearch {
   void look_for_path_to_any(IsGoal is_good, const FloorBox& places, const Pose2& T_map_vehicle,
                             std::function<double(const Vec2&)> left_m);
 
-  /// For the search that was begun: the path must not begin in this gear, because something stands there that
-  /// the floor does not show. nullopt: it may begin either way.
-  void forbid_first(std::optional<Gear> gear) { forbidden_first_ = gear; }
+  /// For the search that was begun: the path must not begin in this direction, because something stands there
+  /// that the floor does not show. nullopt: it may begin in any.
+  void forbid_first(std::optional<LegDirection> direction) { forbidden_first_ = direction; }
 
   /// For the search that was begun: only poses that pass this test are used, whatever the floor shows.
   void keep_to(std::function<bool(const Pose2& T_map_vehicle)> is_free) { is_free_ = std::move(is_free); }
@@ -143,7 +142,7 @@ class CarSearch {
   int expansions_ = 0;
   double reached_m_ = 0;
   RelaxedClearance leave_clearance_;  ///< at that pose
-  std::optional<Gear> forbidden_first_;
+  std::optional<LegDirection> forbidden_first_;
   bool relaxes_clearance_ = false;
   std::function<bool(const Pose2&)> is_free_;
   std::vector<Node> nodes_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -47,7 +48,14 @@ class FootprintClearance {
                    const RelaxedClearance& least) const;
 
   /// Whether the whole footprint lies on known free floor.
-  bool lies_on_free(const KnownFloor& floor, const Pose2& T_map_vehicle) const;
+  bool lies_on_free(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
+    return lies_on(floor, T_map_vehicle, [&](FloorCell cell) { return floor.is_free(cell); });
+  }
+  /// Whether no part of it lies on occupied floor.
+  bool lies_off_occupied(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
+    return lies_on(floor, T_map_vehicle,
+                   [&](FloorCell cell) { return floor.grid().at(cell) != Floor::kOccupied; });
+  }
 
   /// How far the vehicle fits along a path from `from_m` on, where need be barely, with clearance `least`; at
   /// most to the path's end.
@@ -64,6 +72,8 @@ class FootprintClearance {
     Vec2 high;
   };
 
+  bool lies_on(const KnownFloor& floor, const Pose2& T_map_vehicle,
+               const std::function<bool(FloorCell)>& is_good) const;
   void cover(const Piece& piece, const Vec2& size_max_m, std::vector<Disc>& discs) const;
   template <class DistanceAt>
   double least_m(const KnownFloor& floor, const Pose2& T_map_vehicle, double enough_m,

@@ -9,7 +9,6 @@
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/paths/braking_clearance.hpp"
 #include "aisle/vehicle/command.hpp"
-#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -26,7 +25,8 @@ class PathDriver {
   struct Step {
     State state = State::kNoPath;
     Command command;
-    std::optional<Gear> gear = {};  ///< in which it drives, or would; known when driving or blocked
+    std::optional<LegDirection> direction = {};  ///< in which it drives, or would; known when driving or
+                                                 ///< blocked
   };
 
   PathDriver(const VehicleDescription& vehicle, const SteeringParams& steering, const SpeedParams& speed);

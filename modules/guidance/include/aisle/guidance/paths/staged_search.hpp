@@ -31,7 +31,7 @@ class StagedSearch {
 
   /// For the search that was begun; see CarSearch.
   void keep_to(const std::function<bool(const Pose2& T_map_vehicle)>& is_free);
-  void forbid_first(std::optional<Gear> gear);
+  void forbid_first(std::optional<LegDirection> direction);
   void relax_clearance();
   CarSearch::State advance(const KnownFloor& floor, int expansions);
   void stop();

@@ -23,6 +23,9 @@ struct SectionDriverParams {
   }
 };
 
+/// What keeps a vehicle from learning and driving sections: no camera, or no turns on the spot.
+Problems unfit_for_sections(const VehicleDescription& vehicle);
+
 /// Problems: parameters and building that cannot be read, an unknown route, one without sections, a vehicle
 /// without a camera or that cannot turn on the spot.
 Result<std::unique_ptr<SectionNavigator>> make_section_navigator(const SessionOrigin& origin,
