@@ -9,8 +9,9 @@ void add_import_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("import", "make a session of the images of a recording made elsewhere");
   verb->fallthrough();
   auto options = std::make_shared<ImportOptions>();
-  verb->add_option("INPUT", options->recording,
-                   "folder of a Donkeycar tub, list of images (CSV), or folder of images")
+  verb->add_option(
+          "INPUT", options->recording,
+          "folder of a Donkeycar tub, list of images (CSV), folder of images, or ROS bag with images")
       ->required();
   verb->add_option("-o,--out", options->out, "directory of the new session")->required();
   verb->add_option("--rate", options->rate_hz,
@@ -21,7 +22,11 @@ void add_import_verb(CLI::App& app, Work& work) {
       "--vehicle", options->vehicle,
       "vehicle that took the images: file (YAML) or name of a shipped vehicle (default: unknown, "
       "so nothing can be measured in the images)");
-  verb->add_option("--camera", options->camera, "name of the camera (default: the vehicle's, or front)");
+  verb->add_option("--camera", options->camera,
+                   "topic of a bag's images (default: the only one), else name of the camera (default: the "
+                   "vehicle's, or front)");
+  verb->add_option("--odometry", options->odometry,
+                   "topic of the odometry in a bag, or tf, or none (default: chosen, and said)");
   verb->add_flag("--force", options->force, "overwrite an existing session");
   verb->callback(
       [options, &work] { work = [options](Console& console) { return run_import(*options, console); }; });

@@ -3,6 +3,9 @@
 #include <thread>
 
 #include "aisle/formats/images/image_file.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/ros_messages.hpp"
+#include "aisle/formats/sessions/session_writer.hpp"
 #include "workplace.hpp"
 
 namespace aisle {
@@ -68,6 +71,66 @@ TEST_F(Import, ATubBecomesASession) {
   EXPECT_EQ(origin["navigator"], "imported");
   EXPECT_EQ(origin["simulated"], false);
   EXPECT_THAT(run_aisle({"info", at("drive")}).out, HasSubstr("imported, without odometry"));
+}
+
+/// A robot's bag: ten images of each camera, odometry, and the lens of the first camera.
+void write_bag(const fs::path& directory, const std::vector<std::string>& cameras) {
+  auto bag = SessionWriter::create(directory, false);
+  const auto write = [&](const std::string& topic, double stamp_s, const auto& message) {
+    using Message = std::remove_cvref_t<decltype(message)>;
+    ASSERT_THAT(bag->write({topic, Message::kType}, ros::stamp_ns(stamp_s), cdr_bytes(message)),
+                testing::IsEmpty());
+  };
+  ros::CameraInfo info;
+  info.width = 320, info.height = 240;
+  info.distortion_model = "equidistant";
+  info.d = {0.1, 0, 0, 0.01};
+  info.k = {200, 0, 160, 0, 200, 120, 0, 0, 1};
+  for (int i = 0; i < 10; ++i) {
+    const double stamp_s = 1000 + 0.1 * i;
+    ros::Header header{ros::time_of(ros::stamp_ns(stamp_s)), "camera"};
+    ros::Odometry odometry{{header.stamp, "odom"}, "base_link", {}, {}};
+    odometry.pose.pose.position.x = 0.1 * i;
+    write("/odom", stamp_s, odometry);
+    write(cameras.front() + "/camera_info", stamp_s, info);
+    for (const std::string& camera : cameras) {
+      const std::string bytes = jpeg(320, 240, i);
+      write(camera + "/image_raw/compressed", stamp_s,
+            ros::CompressedImage{header, "jpeg", {bytes.begin(), bytes.end()}});
+    }
+  }
+  ASSERT_THAT(bag->close(), testing::IsEmpty());
+}
+
+TEST_F(Import, ABagWithACameraBecomesASession) {
+  write_bag(at("bag"), {"/front"});
+  EXPECT_THAT(run_aisle({"info", at("bag")}).out, HasSubstr("`aisle import` makes a session of its images"));
+  const ProgramRun run = run_aisle({"import", at("bag"), "--out", at("drive"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["images"], 10);
+  EXPECT_EQ(figures["odometry"], true);
+  EXPECT_EQ(figures["calibration"], false);
+  EXPECT_THAT(run.err, HasSubstr("tells nothing of the camera's mount; --vehicle"));
+  const ProgramRun posed = run_aisle(
+      {"import", at("bag"), "--vehicle", "mini", "--odometry", "none", "--out", at("posed"), "--json"});
+  ASSERT_EQ(posed.exit_code, 0) << posed.err;
+  EXPECT_EQ(posed.json()["figures"]["odometry"], false);
+  EXPECT_THAT(posed.err, HasSubstr("another calibration than the camera of --vehicle"));
+}
+
+TEST_F(Import, OfABagWithSeveralCamerasTheUserNamesOne) {
+  write_bag(at("bag"), {"/front", "/rear"});
+  EXPECT_THAT(run_aisle({"import", at("bag"), "--out", at("drive"), "--json"}),
+              IsRefused("has images on 2 topics, /front/image_raw/compressed (10), "
+                        "/rear/image_raw/compressed (10): --camera TOPIC"));
+  const ProgramRun run = run_aisle(
+      {"import", at("bag"), "--camera", "/rear/image_raw/compressed", "--out", at("drive"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("lens and mount"));
+  EXPECT_THAT(run_aisle({"import", at("bag"), "--camera", "/front/image_raw/compressed", "--vehicle", "alv",
+                         "--out", at("other"), "--json"}),
+              IsRefused("which took the images of /front/image_raw/compressed is not said by its name"));
 }
 
 TEST_F(Import, WhatASessionLacksIsSaidByTheVerbsThatNeedIt) {

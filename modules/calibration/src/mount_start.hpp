@@ -11,7 +11,4 @@ namespace aisle {
 /// allows, at most two, the better one first.
 std::vector<CameraMount> mount_starts(std::span<const FloorMark> marks, const CameraModel& lens);
 
-/// Tilt, pan and roll of a rotation. Looking straight down, pan is 0.
-CameraMount mount_of(const Mat3& R_vehicle_camera, const Vec3& p_vehicle_camera);
-
 }  // namespace aisle

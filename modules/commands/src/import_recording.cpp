@@ -9,6 +9,7 @@
 
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/core/rounded.hpp"
+#include "aisle/formats/bags/bag_reader.hpp"
 #include "aisle/formats/image_sequences/image_sequence.hpp"
 #include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
@@ -18,36 +19,43 @@ namespace {
 
 constexpr double kSidewaysWarned_m = 0.05;
 
-/// Somewhere low at the front: placeholders that a session marks as such.
+/// Somewhere low at the front: placeholders that a session marks as such, but for what the recording tells.
 VehicleDescription unknown_vehicle(const ImageSequence& images, const std::string& camera) {
   VehicleDescription vehicle;
   vehicle.name = "unknown";
   CameraDescription& front = vehicle.cameras.emplace_back();
-  if (!camera.empty()) front.name = camera;
+  const RecordedCamera recorded = images.camera();
+  if (recorded.topic.empty() && !camera.empty()) front.name = camera;
   front.width_px = images.width_px();
   front.height_px = images.height_px();
-  front.intrinsics = {.fx_px = static_cast<double>(front.width_px),
-                      .fy_px = static_cast<double>(front.width_px),
-                      .cx_px = (front.width_px - 1) / 2.0,
-                      .cy_px = (front.height_px - 1) / 2.0};
-  front.mount.p_vehicle_camera = {0, 0, 0.3};
+  front.intrinsics = recorded.lens.value_or(CameraIntrinsics{.fx_px = static_cast<double>(front.width_px),
+                                                             .fy_px = static_cast<double>(front.width_px),
+                                                             .cx_px = (front.width_px - 1) / 2.0,
+                                                             .cy_px = (front.height_px - 1) / 2.0});
+  front.mount = recorded.mount.value_or(CameraMount{.p_vehicle_camera = {0, 0, 0.3}});
   return vehicle;
 }
 
-/// The named vehicle with the one camera that took the images.
-Result<VehicleDescription> named_vehicle(const ImportOptions& options) {
-  auto model = read_shipped_or_own("vehicles", options.vehicle, read_vehicle);
-  if (!model) return model.problems();
-  VehicleDescription& vehicle = model->description;
+/// Whether a word between the slashes of a topic is the name.
+bool is_word_of(const std::string& topic, const std::string& name) {
+  return ("/" + topic + "/").find("/" + name + "/") != std::string::npos;
+}
+
+/// Leaves the vehicle the one camera that took the images: its only one, that of the given name, or that
+/// whose name is a word of the bag's topic.
+Problems keep_camera(VehicleDescription& vehicle, const ImageSequence& images, const ImportOptions& options) {
+  const std::string topic = images.camera().topic;
+  const std::string called = topic.empty() ? options.camera : topic;
   std::vector<std::string> names;
   for (const CameraDescription& camera : vehicle.cameras) names.push_back(camera.name);
-  if (!options.camera.empty()) {
-    std::erase_if(vehicle.cameras, [&](const auto& camera) { return camera.name != options.camera; });
-  }
-  if (vehicle.cameras.size() == 1) return std::move(vehicle);
-  return Problem{{options.vehicle, 0, "cameras"},
-                 fmt::format("has the cameras [{}]: --camera names the one that took the images",
-                             fmt::join(names, ", "))};
+  if (names.size() == 1 && (called.empty() || !topic.empty())) return {};
+  std::erase_if(vehicle.cameras, [&](const auto& camera) { return !is_word_of(called, camera.name); });
+  if (vehicle.cameras.size() == 1) return {};
+  return {{{options.vehicle, 0, "cameras"},
+           fmt::format("has the cameras [{}]: {}", fmt::join(names, ", "),
+                       topic.empty()
+                           ? "--camera names the one that took the images"
+                           : fmt::format("which took the images of {} is not said by its name", topic))}};
 }
 
 Problems check_size(const ImageSequence& images, const CameraDescription& camera,
@@ -86,14 +94,31 @@ Result<ImportedImages> take_all(ImageSequence& images, ImportedSession& session,
   }
 }
 
+/// What the session knows of its camera.
+KnownSensors known_sensors(const ImageSequence& images, const ImportOptions& options) {
+  if (!options.vehicle.empty()) return {.lens = true, .mount = true};
+  const RecordedCamera recorded = images.camera();
+  return {.lens = recorded.lens.has_value(), .mount = recorded.mount.has_value()};
+}
+
+void warn_of_camera(const ImageSequence& images, const VehicleDescription& vehicle,
+                    const ImportOptions& options, Console& console) {
+  const KnownSensors known = known_sensors(images, options);
+  const auto recorded_lens = images.camera().lens;
+  if (!known.lens || !known.mount) {
+    const char* unknown = known.lens ? "mount" : known.mount ? "lens" : "lens and mount";
+    console.warn(to_string(Problem{
+        {options.recording},
+        fmt::format("tells nothing of the camera's {}; --vehicle names a vehicle that does", unknown)}));
+  } else if (recorded_lens && !(*recorded_lens == vehicle.cameras.front().intrinsics)) {
+    console.warn(to_string(Problem{{options.recording, 0, images.camera().topic},
+                                   "has another calibration than the camera of --vehicle, which is taken"}));
+  }
+}
+
 void warn_of_import(const ImageSequence& images, const ImportedSession& session, const ImportOptions& options,
                     Console& console) {
   warn_of(images.warnings(), console);
-  if (options.vehicle.empty()) {
-    console.warn(to_string(Problem{{options.recording},
-                                   "tells nothing of the camera's lens and mount; --vehicle names a vehicle "
-                                   "that does"}));
-  }
   if (session.sideways_m() > kSidewaysWarned_m) {
     console.warn(
         to_string(Problem{{options.recording},
@@ -105,6 +130,7 @@ void warn_of_import(const ImageSequence& images, const ImportedSession& session,
 
 Outcome import_outcome(const ImportOptions& options, const ImageSequence& images, const std::string& camera,
                        const ImportedImages& imported) {
+  const KnownSensors known = known_sensors(images, options);
   const double duration_s = imported.last_s - imported.first_s;
   const double rate_hz = images.period_s() > 0 ? 1 / images.period_s() : 0;
   Outcome outcome{.verb = "import"};
@@ -116,7 +142,7 @@ Outcome import_outcome(const ImportOptions& options, const ImageSequence& images
                      {"width_px", images.width_px()},
                      {"height_px", images.height_px()},
                      {"odometry", images.has_odometry()},
-                     {"calibration", !options.vehicle.empty()}};
+                     {"calibration", known.lens && known.mount}};
   outcome.files["session"] = options.out.string();
   outcome.text = fmt::format(
       "{} images of the camera {} in {:.1f} s, {:.1f} Hz, {} odometry; {} left out; session in {}\n",
@@ -129,31 +155,33 @@ Outcome import_outcome(const ImportOptions& options, const ImageSequence& images
 
 Result<Outcome> run_import(const ImportOptions& options, Console& console) {
   ImageSequenceOptions reading{.rate_hz = options.rate_hz, .front_steered = {}};
+  reading.odometry = options.odometry;
+  if (is_bag(options.recording)) reading.topic = options.camera;
   std::optional<VehicleDescription> vehicle;
   if (!options.vehicle.empty()) {
-    auto named = named_vehicle(options);
+    auto named = read_shipped_or_own("vehicles", options.vehicle, read_vehicle);
     if (!named) return named.problems();
-    vehicle = std::move(*named);
+    vehicle = std::move(named->description);
     if (!vehicle->is_differential) reading.front_steered = vehicle->front_steered;
   }
   const auto opened = open_image_sequence(options.recording, reading);
   if (!opened) return opened.problems();
   ImageSequence& images = **opened;
   if (!vehicle) vehicle = unknown_vehicle(images, options.camera);
+  if (Problems problems = keep_camera(*vehicle, images, options); !problems.empty()) return problems;
   const std::string camera = vehicle->cameras.front().name;
   if (Problems problems = check_size(images, vehicle->cameras.front(), options); !problems.empty())
     return problems;
   set_periods(*vehicle, images.period_s());
 
-  SessionOrigin origin{.navigator = kImportedNavigator, .parameters = {}};
-  origin.has_odometry = images.has_odometry();
-  origin.has_calibration = !options.vehicle.empty();
-  auto session = ImportedSession::create(options.out, options.force, *vehicle, camera, origin);
+  auto session = ImportedSession::create(options.out, options.force, *vehicle, camera,
+                                         known_sensors(images, options), images.has_odometry());
   if (!session) return session.problems();
   const auto imported = take_all(images, *session, console.progress);
   if (!imported) return imported.problems();
   if (Problems problems = session->finish(); !problems.empty()) return problems;
   warn_of_import(images, *session, options, console);
+  warn_of_camera(images, *vehicle, options, console);
   return import_outcome(options, images, camera, *imported);
 }
 

@@ -9,11 +9,11 @@ void CameraDescription::describe(FieldList& fields) {
   fields.real("fy_px", intrinsics.fy_px, {1, 1e5}, "focal length along v");
   fields.real("cx_px", intrinsics.cx_px, {-1e4, 1e4}, "where the optical axis meets the image");
   fields.real("cy_px", intrinsics.cy_px, {-1e4, 1e4}, "where the optical axis meets the image");
-  fields.real("k1", intrinsics.k1, {-10, 10}, "radial distortion");
-  fields.real("k2", intrinsics.k2, {-10, 10}, "radial distortion");
+  fields.real("k1", intrinsics.k1, {-1e4, 1e4}, "radial distortion");
+  fields.real("k2", intrinsics.k2, {-1e4, 1e4}, "radial distortion");
   fields.real("p1", intrinsics.p1, {-1, 1}, "tangential distortion");
   fields.real("p2", intrinsics.p2, {-1, 1}, "tangential distortion");
-  fields.real("k3", intrinsics.k3, {-10, 10}, "radial distortion");
+  fields.real("k3", intrinsics.k3, {-1e4, 1e4}, "radial distortion");
   fields.real("x_m", mount.p_vehicle_camera.x(), {-10, 10}, "lens ahead of base_link");
   fields.real("y_m", mount.p_vehicle_camera.y(), {-10, 10}, "lens to the left of base_link");
   fields.real("z_m", mount.p_vehicle_camera.z(), {0.01, 10}, "lens above the floor");

@@ -25,6 +25,19 @@ std::string bag_topic_line(const BagOverview::Topic& topic, std::size_t name_wid
                      topic.topic.messages, topic.rate_hz, topic.serves, topic.topic.type);
 }
 
+/// Which verbs take such a bag.
+std::string what_reads(const BagOverview& overview) {
+  const auto has = [&](const char* use) {
+    return std::any_of(overview.topics.begin(), overview.topics.end(), [&](const BagOverview::Topic& topic) {
+      return topic.serves == use && topic.topic.messages > 0;
+    });
+  };
+  std::vector<std::string> verbs;
+  if (has("scan")) verbs.emplace_back("`aisle map` maps its scans");
+  if (has("camera")) verbs.emplace_back("`aisle import` makes a session of its images");
+  return verbs.empty() ? "nothing in it is of use here" : fmt::format("{}", fmt::join(verbs, ", "));
+}
+
 Result<Outcome> bag_info(const std::filesystem::path& path, Console& console) {
   const auto overview = bag_overview(path);
   if (!overview) return overview.problems();
@@ -45,7 +58,7 @@ Result<Outcome> bag_info(const std::filesystem::path& path, Console& console) {
     outcome.figures["topics"].push_back(bag_topic_json(topic));
     outcome.text += bag_topic_line(topic, name_width);
   }
-  outcome.text += "not recorded by aisle: it can be mapped, but not replayed\n";
+  outcome.text += "not recorded by aisle: " + what_reads(*overview) + "\n";
   return outcome;
 }
 

@@ -18,8 +18,10 @@ std::string served_by(const BagTopic& topic) {
     case TopicUse::kOdometry:
     case TopicUse::kPose:
       return "odometry";
-    case TopicUse::kCamera:
+    case TopicUse::kImages:
       return "camera";
+    case TopicUse::kCalibration:
+      return "lens";
     case TopicUse::kTransforms:
       return "mounts";
     case TopicUse::kNone:

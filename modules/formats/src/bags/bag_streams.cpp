@@ -27,6 +27,10 @@ class StreamIntake {
     bool is_good = false;
     if (scan != choice_.scans.end())
       is_good = take_scan(message, topic.encoding, static_cast<std::size_t>(scan - choice_.scans.begin()));
+    else if (message.topic == choice_.images)
+      is_good = take_image(message, topic.encoding);
+    else if (message.topic == choice_.calibration)
+      is_good = take_calibration(message, topic.encoding);
     else if (use_of(topic) == TopicUse::kTransforms)
       is_good = take_transforms(message, topic);
     else
@@ -52,6 +56,24 @@ class StreamIntake {
                           streams_.doubts[laser][frame_name(scan->header.frame_id)]);
     if (!taken) return false;
     streams_.scans[laser].push_back(std::move(*taken));
+    return true;
+  }
+
+  bool take_image(const BagReader::Message& message, BagEncoding encoding) {
+    const auto header = parse_header(message.bytes, encoding);
+    if (!header) return false;
+    BagImages& images = streams_.images;
+    if (images.times.empty()) images.frame = frame_name(header->frame_id);
+    images.times.push_back(time_of(message, *header));
+    return true;
+  }
+
+  /// Cameras that were never calibrated publish zeros.
+  bool take_calibration(const BagReader::Message& message, BagEncoding encoding) {
+    if (streams_.images.calibration) return true;
+    auto calibration = parse_message<ros::CameraInfo>(message.bytes, encoding);
+    if (!calibration) return false;
+    if (calibration->k.front() != 0) streams_.images.calibration = std::move(*calibration);
     return true;
   }
 
@@ -124,8 +146,9 @@ Result<BagStreams> read_streams(BagReader& bag, const TopicChoice& choice, const
                                 Problems& warnings) {
   std::vector<std::size_t> wanted = choice.scans;
   wanted.insert(wanted.end(), choice.transforms.begin(), choice.transforms.end());
-  if (choice.odometry) wanted.push_back(*choice.odometry);
-  if (choice.pose) wanted.push_back(*choice.pose);
+  for (const auto& topic : {choice.images, choice.calibration, choice.odometry, choice.pose}) {
+    if (topic) wanted.push_back(*topic);
+  }
   bag.want(wanted);
   StreamIntake intake(bag, choice);
   while (true) {

@@ -24,12 +24,20 @@ struct BagMotion {
   std::vector<BagPose> poses;
 };
 
+/// What is kept of images until they are read: when each was taken.
+struct BagImages {
+  std::string frame;  ///< of the first
+  std::vector<MessageTime> times;
+  std::optional<ros::CameraInfo> calibration;  ///< the first that is one
+};
+
 /// The messages of the chosen topics of a bag.
 struct BagStreams {
   std::vector<std::vector<BagScan>> scans;                ///< of each topic of scans
   std::vector<std::map<std::string, ScanDoubts>> doubts;  ///< of each topic of scans, by frame
-  BagMotion odometry;                                     ///< of the chosen topic
-  BagMotion pose;                                         ///< of the chosen topic of poses
+  BagImages images;
+  BagMotion odometry;  ///< of the chosen topic
+  BagMotion pose;      ///< of the chosen topic of poses
   std::map<std::pair<std::string, std::string>, BagMotion>
       by_transforms;  ///< odom -> something, by both frames
   TransformTree transforms;

@@ -104,7 +104,9 @@ Result<LaserRecording> read_laser_bag(const std::filesystem::path& path, const R
   for (const std::size_t topic : choice->scans) topics.push_back(bag->topics()[topic].name);
   if (Problems problems = settle_scans(*streams, topics, file, recording.warnings); !problems.empty())
     return problems;
-  const BagMotion motion = choose_motion(*streams, *choice, options, file, recording.warnings);
+  const BagMotion motion = choose_motion(*streams, *choice, options.odometry, file, recording.warnings);
+  if (motion.poses.empty() && options.odometry != "none")
+    recording.warnings.push_back({{file}, "has no odometry; the scans alone tell how the vehicle moved"});
   recording.log.lasers.resize(topics.size());
   const std::string base = base_frame(motion, streams->transforms);
   for (std::size_t i = 0; i < topics.size(); ++i) {

@@ -33,16 +33,16 @@ BagMotion* best_transforms(BagStreams& streams) {
 
 }  // namespace
 
-BagMotion choose_motion(BagStreams& streams, const TopicChoice& choice, const RecordingOptions& options,
+BagMotion choose_motion(BagStreams& streams, const TopicChoice& choice, const std::string& wanted,
                         const std::string& file, Problems& warnings) {
   const auto warn = [&](const std::string& key, std::string what) {
     warnings.push_back({{file, 0, key}, std::move(what)});
   };
-  if (options.odometry == "none") return {};
+  if (wanted == "none") return {};
   BagMotion* const transforms = best_transforms(streams);
   if (choice.odometry && !streams.odometry.poses.empty()) {
     const double gap_s = longest_gap_s(streams.odometry);
-    const bool tf_knows_more = options.odometry.empty() && transforms != nullptr && gap_s > kMissing_s &&
+    const bool tf_knows_more = wanted.empty() && transforms != nullptr && gap_s > kMissing_s &&
                                longest_gap_s(*transforms) < gap_s / 2;
     if (!tf_knows_more) return std::move(streams.odometry);
     warn(transforms->source,
@@ -61,7 +61,6 @@ BagMotion choose_motion(BagStreams& streams, const TopicChoice& choice, const Re
          "is taken for the odometry, for there is none: it is a pose that something else measured");
     return std::move(streams.pose);
   }
-  warn("", "has no odometry; the scans alone tell how the vehicle moved");
   return {};
 }
 

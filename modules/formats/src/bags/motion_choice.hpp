@@ -5,8 +5,9 @@
 namespace aisle {
 
 /// The odometry of a recording: of the chosen topic; of /tf if there is none, or if it misses what /tf has;
-/// of a topic of poses; or none, with a warning. Always odom -> vehicle, never map -> odom.
-BagMotion choose_motion(BagStreams& streams, const TopicChoice& choice, const RecordingOptions& options,
+/// of a topic of poses; or none. Always odom -> vehicle, never map -> odom.
+/// @param wanted  as in RecordingOptions
+BagMotion choose_motion(BagStreams& streams, const TopicChoice& choice, const std::string& wanted,
                         const std::string& file, Problems& warnings);
 
 }  // namespace aisle

@@ -102,6 +102,19 @@ Problem no_such_topic(const std::string& file, const std::string& name, const st
   return {{file, 0, name}, "is no such topic of the bag; " + topic_list(topics)};
 }
 
+/// The topic with this name and use. @param called  what it must have: "scans"
+Result<std::size_t> named_topic(const std::vector<BagTopic>& topics, const std::string& name, TopicUse use,
+                                const char* called, const std::string& file) {
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    if (is_named(topics[i], name) && use_of(topics[i]) == use) return i;
+  }
+  for (const BagTopic& topic : topics) {
+    if (is_named(topic, name))
+      return Problem{{file, 0, name}, fmt::format("has no {} but {}", called, topic.type)};
+  }
+  return no_such_topic(file, name, topics);
+}
+
 Result<std::vector<std::size_t>> named_scans(const std::vector<BagTopic>& topics, const std::string& names,
                                              const std::string& file) {
   std::vector<std::size_t> chosen;
@@ -110,16 +123,9 @@ Result<std::vector<std::size_t>> named_scans(const std::vector<BagTopic>& topics
     std::string name = names.substr(begin, comma - begin);
     std::erase(name, ' ');
     begin = comma + 1;
-    const auto found = std::find_if(topics.begin(), topics.end(), [&](const BagTopic& topic) {
-      return is_named(topic, name) && use_of(topic) == TopicUse::kScan;
-    });
-    if (found == topics.end()) {
-      for (const BagTopic& topic : topics) {
-        if (is_named(topic, name)) return Problem{{file, 0, name}, "has no scans but " + topic.type};
-      }
-      return no_such_topic(file, name, topics);
-    }
-    chosen.push_back(static_cast<std::size_t>(found - topics.begin()));
+    const auto found = named_topic(topics, name, TopicUse::kScan, "scans", file);
+    if (!found) return found.problems();
+    chosen.push_back(*found);
   }
   return chosen;
 }
@@ -169,6 +175,33 @@ Problems choose_motion(const std::vector<BagTopic>& topics, const std::string& w
   return {no_such_topic(file, wanted, topics)};
 }
 
+Result<std::size_t> only_images(const std::vector<BagTopic>& topics, const std::string& file) {
+  const std::vector<std::size_t> found = topics_for(topics, TopicUse::kImages);
+  if (found.size() == 1) return found.front();
+  if (found.empty()) {
+    return Problem{
+        {file},
+        "has no images (sensor_msgs/msg/Image, sensor_msgs/msg/CompressedImage); " + topic_list(topics)};
+  }
+  return Problem{{file},
+                 fmt::format("has images on {} topics, {}: --camera TOPIC names the one to be read",
+                             found.size(), names_of(topics, found))};
+}
+
+/// A camera's calibration is beside its images: /front/camera_info of /front/image_raw/compressed.
+/// @return the one that begins as most of the images' name; nullopt if there is none
+std::optional<std::size_t> calibration_of(const std::vector<BagTopic>& topics, const std::string& images) {
+  std::optional<std::size_t> best;
+  std::size_t best_length = 0;
+  for (const std::size_t i : topics_for(topics, TopicUse::kCalibration)) {
+    const std::string beside = topics[i].name.substr(0, topics[i].name.rfind('/') + 1);
+    if (!images.starts_with(beside) || (best && beside.size() <= best_length)) continue;
+    best = i;
+    best_length = beside.size();
+  }
+  return best;
+}
+
 }  // namespace
 
 TopicUse use_of(const BagTopic& topic) {
@@ -178,9 +211,9 @@ TopicUse use_of(const BagTopic& topic) {
   if (is_one_of(topic.type, {"geometry_msgs/msg/PoseStamped", "geometry_msgs/msg/PoseWithCovarianceStamped",
                              "geometry_msgs/msg/TransformStamped", "geometry_msgs/msg/Pose"}))
     return TopicUse::kPose;
-  if (is_one_of(topic.type,
-                {"sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage", "sensor_msgs/msg/CameraInfo"}))
-    return TopicUse::kCamera;
+  if (is_one_of(topic.type, {"sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"}))
+    return TopicUse::kImages;
+  if (topic.type == "sensor_msgs/msg/CameraInfo") return TopicUse::kCalibration;
   return TopicUse::kNone;
 }
 
@@ -215,6 +248,20 @@ Result<TopicChoice> choose_topics(BagReader& bag, const RecordingOptions& option
     choice.scans = {*best};
   }
   if (Problems problems = choose_motion(topics, options.odometry, file, choice, warnings); !problems.empty())
+    return problems;
+  return choice;
+}
+
+Result<TopicChoice> choose_image_topics(const std::vector<BagTopic>& topics, const std::string& images,
+                                        const std::string& odometry, const std::string& file,
+                                        Problems& warnings) {
+  const auto chosen = images.empty() ? only_images(topics, file)
+                                     : named_topic(topics, images, TopicUse::kImages, "images", file);
+  if (!chosen) return chosen.problems();
+  TopicChoice choice;
+  choice.images = *chosen;
+  choice.calibration = calibration_of(topics, topics[*chosen].name);
+  if (Problems problems = choose_motion(topics, odometry, file, choice, warnings); !problems.empty())
     return problems;
   return choice;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Which topics of a bag are its scans and its odometry.
+/// Which topics of a bag are its scans, its images and its odometry.
 
 #include <cstddef>
 #include <optional>
@@ -13,7 +13,7 @@
 namespace aisle {
 
 /// What a topic could serve for, by its type and name.
-enum class TopicUse { kNone, kScan, kOdometry, kPose, kCamera, kTransforms };
+enum class TopicUse { kNone, kScan, kOdometry, kPose, kImages, kCalibration, kTransforms };
 
 TopicUse use_of(const BagTopic& topic);
 
@@ -24,15 +24,25 @@ bool is_truth(const BagTopic& topic);
 std::string topic_list(const std::vector<BagTopic>& topics);
 
 struct TopicChoice {
-  std::vector<std::size_t> scans;       ///< at least one
-  std::optional<std::size_t> odometry;  ///< nav_msgs/Odometry, or what the options name
-  std::optional<std::size_t> pose;      ///< to be taken if there is no odometry
+  std::vector<std::size_t> scans;
+  std::optional<std::size_t> images;
+  std::optional<std::size_t> calibration;  ///< of the camera that took the images
+  std::optional<std::size_t> odometry;     ///< nav_msgs/Odometry, or what the options name
+  std::optional<std::size_t> pose;         ///< to be taken if there is no odometry
   std::vector<std::size_t> transforms;
   bool by_transforms_only = false;  ///< the options want /tf
 };
 
-/// Reads the beginning of the bag if more than one topic has scans.
+/// The topics of a recording of scans: at least one has scans. Reads the beginning of the bag if several
+/// have.
 Result<TopicChoice> choose_topics(BagReader& bag, const RecordingOptions& options, const std::string& file,
                                   Problems& warnings);
+
+/// The topics of a recording of images.
+/// @param images    the topic; empty: the only one with images. Several are a problem that names them
+/// @param odometry  as in RecordingOptions
+Result<TopicChoice> choose_image_topics(const std::vector<BagTopic>& topics, const std::string& images,
+                                        const std::string& odometry, const std::string& file,
+                                        Problems& warnings);
 
 }  // namespace aisle

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "aisle/formats/bags/bag_reader.hpp"
 #include "aisle/formats/image_sequences/image_sequence.hpp"
+#include "bags/bag_files.hpp"
+#include "image_sequences/bag_images.hpp"
 #include "image_sequences/donkey_tub.hpp"
 #include "image_sequences/image_folder.hpp"
 #include "natural_order.hpp"
@@ -17,14 +20,6 @@ bool has_ending(const fs::path& file, std::initializer_list<const char*> endings
                      [&](const char* ending) { return name.ends_with(ending); });
 }
 
-bool is_bag_file(const fs::path& file) {
-  return has_ending(file, {".bag", ".db3", ".mcap"});
-}
-
-Problem bag_refused(const std::string& recording) {
-  return {{recording}, "is a ROS bag; images of bags are not read yet"};
-}
-
 }  // namespace
 
 Result<std::unique_ptr<ImageSequence>> open_image_sequence(const std::string& recording,
@@ -34,17 +29,17 @@ Result<std::unique_ptr<ImageSequence>> open_image_sequence(const std::string& re
   if (!fs::exists(path, error)) return Problem{{recording}, "no such file or folder"};
   if (fs::is_directory(path, error)) {
     if (is_tub(path)) return open_tub(path, options);
-    if (!files_in_natural_order(path, is_bag_file).empty()) return bag_refused(recording);
+    if (!files_in_natural_order(path, has_bag_name).empty()) return open_bag_images(path, options);
     return open_image_folder(path, options);
   }
   if (has_ending(path, {".tar", ".tar.gz", ".tgz", ".zip", ".tar.bz2", ".tar.xz"}))
     return Problem{{recording}, "is an archive: unpack it, and give the folder with manifest.json in it"};
-  if (is_bag_file(path)) return bag_refused(recording);
+  if (is_bag(path)) return open_bag_images(path, options);
   if (path.filename() == "manifest.json") return open_tub(path.parent_path(), options);
   if (has_ending(path, {".csv", ".csv.gz"})) return open_image_csv(path, options);
   return Problem{{recording},
-                 "is no recording that is read: the folder of a Donkeycar tub, a list of images (CSV), or a "
-                 "folder of images"};
+                 "is no recording that is read: the folder of a Donkeycar tub, a list of images (CSV), a "
+                 "folder of images, or a ROS bag"};
 }
 
 }  // namespace aisle

@@ -7,14 +7,12 @@
 namespace aisle {
 namespace {
 
-constexpr double kStepMin_s = 1e-6;  // a double of today's date does not tell less apart
-
 /// The median of the steps ahead; 0 if there are none.
 double usual_step_ahead_s(const std::vector<ListedImage>& images) {
   std::vector<double> steps_s;
   for (std::size_t i = 1; i < images.size(); ++i) {
     const double step_s = images[i].stamp_s - images[i - 1].stamp_s;
-    if (step_s >= kStepMin_s) steps_s.push_back(step_s);
+    if (step_s >= kStampStepMin_s) steps_s.push_back(step_s);
   }
   return steps_s.empty() ? 0 : median(std::move(steps_s));
 }
@@ -30,7 +28,7 @@ Problems order_stamps(ImageList& list) {
   double shift_s = 0;
   for (std::size_t i = 1; i < images.size(); ++i) {
     const double recorded_s = images[i].stamp_s, before_s = images[i - 1].stamp_s;
-    if (recorded_s + shift_s - before_s < kStepMin_s) {
+    if (recorded_s + shift_s - before_s < kStampStepMin_s) {
       backward.add({{images[i].file.string()}, "has no later stamp than the image before"});
       shift_s = before_s + usual_s - recorded_s;
     }

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "aisle/formats/images/image_file.hpp"
-#include "file_limits.hpp"
+#include "calibration_lens.hpp"
+#include "sessions/ros_image.hpp"
 
 namespace aisle {
 namespace {
@@ -39,38 +39,6 @@ ros::CompressedImage compressed(const Image& image, const ImageCoding& coding) {
   const bool is_jpeg = coding.kind == ImageCoding::Kind::kJpeg;
   const std::string bytes = is_jpeg ? jpeg_bytes(image, coding.jpeg_quality) : png_bytes(image);
   return {.header = {}, .format = is_jpeg ? "jpeg" : "png", .data = {bytes.begin(), bytes.end()}};
-}
-
-/// The number of channels of a supported encoding.
-std::optional<int> channels_of(const std::string& encoding) {
-  if (encoding == "mono8") return 1;
-  if (encoding == "rgb8" || encoding == "bgr8") return 3;
-  return std::nullopt;
-}
-
-void swap_red_and_blue(Image& image) {
-  for (std::size_t i = 0; i + 2 < image.bytes.size(); i += 3) std::swap(image.bytes[i], image.bytes[i + 2]);
-}
-
-Result<Image> image_of(const ros::Image& message, const Place& place) {
-  const auto channels = channels_of(message.encoding);
-  if (!channels) {
-    return Problem{place, fmt::format("has images in '{}'; mono8, rgb8 and bgr8 are read", message.encoding)};
-  }
-  const bool has_size = std::cmp_less_equal(std::max(message.width, message.height), kImageSideMax_px) &&
-                        message.step >= message.width * static_cast<std::uint32_t>(*channels) &&
-                        message.data.size() == std::size_t{message.step} * message.height;
-  if (!has_size) {
-    return Problem{place, fmt::format("has an image of {} x {} pixels in rows of {} bytes, with {} bytes",
-                                      message.width, message.height, message.step, message.data.size())};
-  }
-  Image image(static_cast<int>(message.width), static_cast<int>(message.height), *channels);
-  for (int v = 0; v < image.height_px; ++v) {
-    std::copy_n(message.data.data() + std::size_t{message.step} * static_cast<std::size_t>(v),
-                image.row_bytes(), image.row(v));
-  }
-  if (message.encoding == "bgr8") swap_red_and_blue(image);
-  return image;
 }
 
 CameraImage camera_image(const std::string& camera, const ros::Header& header, Image image) {
@@ -111,8 +79,8 @@ RecordedMessage camera_info_message(const CameraDescription& camera, double stam
   const ros::CameraInfo info{.header = header_of(camera.name, stamp_s),
                              .height = static_cast<std::uint32_t>(camera.height_px),
                              .width = static_cast<std::uint32_t>(camera.width_px),
-                             .distortion_model = "plumb_bob",
-                             .d = {lens.k1, lens.k2, lens.p1, lens.p2, lens.k3},
+                             .distortion_model = name_of(lens.model),
+                             .d = distortion_coefficients(lens),
                              .k = {lens.fx_px, 0, lens.cx_px, 0, lens.fy_px, lens.cy_px, 0, 0, 1},
                              .r = {1, 0, 0, 0, 1, 0, 0, 0, 1},
                              .p = {lens.fx_px, 0, lens.cx_px, 0, 0, lens.fy_px, lens.cy_px, 0, 0, 0, 1, 0},

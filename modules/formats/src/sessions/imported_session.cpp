@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "aisle/formats/sessions/session_origin.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 #include "sessions/frame_messages.hpp"
@@ -54,23 +55,24 @@ Problems write_all(SessionWriter& writer, ros::Stamp_ns stamp, std::span<const R
 }  // namespace
 
 ImportedSession::ImportedSession(fs::path directory, SessionWriter writer, VehicleDescription vehicle,
-                                 std::string camera, SessionOrigin origin)
+                                 std::string camera, const KnownSensors& known, bool has_odometry)
     : directory_(std::move(directory)),
       writer_(std::make_unique<SessionWriter>(std::move(writer))),
       vehicle_(std::move(vehicle)),
       camera_(std::move(camera)),
-      origin_(std::move(origin)) {}
+      known_(known),
+      has_odometry_(has_odometry) {}
 
 Result<ImportedSession> ImportedSession::create(const fs::path& directory, bool force,
                                                 const VehicleDescription& vehicle, const std::string& camera,
-                                                const SessionOrigin& origin) {
+                                                const KnownSensors& known, bool has_odometry) {
   if (auto read_back = parse_vehicle(vehicle_yaml(vehicle), "the vehicle's description"); !read_back)
     return read_back.problems();
   if (Problems problems = prepare_directory(directory, force); !problems.empty()) return problems;
   const fs::path place = named(directory);
   auto writer = SessionWriter::create(unfinished(place), true);
   if (!writer) return writer.problems();
-  return ImportedSession(place, std::move(*writer), vehicle, camera, origin);
+  return ImportedSession(place, std::move(*writer), vehicle, camera, known, has_odometry);
 }
 
 ImportedSession::~ImportedSession() {
@@ -83,9 +85,12 @@ ImportedSession::~ImportedSession() {
 
 /// Frames and calibration are left out where they would be inventions.
 Problems ImportedSession::write_head(ros::Stamp_ns stamp) {
-  std::vector<RecordedMessage> head = {latched(kOriginTopic, ros::String{session_origin_json(origin_)}),
+  SessionOrigin origin{.navigator = kImportedNavigator, .parameters = {}};
+  origin.has_odometry = has_odometry_;
+  origin.has_calibration = known_.lens && known_.mount;
+  std::vector<RecordedMessage> head = {latched(kOriginTopic, ros::String{session_origin_json(origin)}),
                                        latched(kVehicleTopic, ros::String{vehicle_yaml(vehicle_)})};
-  if (origin_.has_calibration) head.push_back(static_frames_message(stamp, vehicle_));
+  if (known_.mount) head.push_back(static_frames_message(stamp, vehicle_));
   return write_all(*writer_, stamp, head);
 }
 
@@ -96,8 +101,7 @@ Problems ImportedSession::take(const TimedImage& image) {
   }
   std::vector<RecordedMessage> messages = {image_file_message(camera_, image.stamp_s, image.bytes)};
   const CameraDescription* camera = vehicle_.camera(camera_);
-  if (origin_.has_calibration && camera != nullptr)
-    messages.push_back(camera_info_message(*camera, image.stamp_s));
+  if (known_.lens && camera != nullptr) messages.push_back(camera_info_message(*camera, image.stamp_s));
   if (image.controls) messages.push_back(controls_message(stamp, *image.controls));
   if (Problems problems = write_all(*writer_, stamp, messages); !problems.empty()) return problems;
   if (image.T_odom_vehicle) {

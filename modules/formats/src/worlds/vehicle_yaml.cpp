@@ -4,12 +4,14 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <deque>
 #include <string_view>
 
 #include "aisle/formats/parameter_file.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
 #include "file_limits.hpp"
+#include "other_lens.hpp"
 #include "parameter_tree.hpp"
 #include "problem_list.hpp"
 #include "yaml_text.hpp"
@@ -28,17 +30,25 @@ bool is_topic_word(std::string_view name) {
                      [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-FieldList described_fields(VehicleDescription& vehicle) {
+using OtherLenses = std::deque<OtherLens>;
+
+/// @param lenses  takes those that the fields need
+/// @param of_all  of cameras with usual lenses, too: a file may say that they have others
+FieldList described_fields(VehicleDescription& vehicle, OtherLenses& lenses, bool of_all = false) {
   FieldList fields = fields_of(vehicle);
-  for (CameraDescription& camera : vehicle.cameras) fields.group("cameras." + camera.name, camera);
+  for (CameraDescription& camera : vehicle.cameras) {
+    fields.group("cameras." + camera.name, camera);
+    if (of_all || OtherLens::is_needed(camera.intrinsics))
+      fields.group("cameras." + camera.name, lenses.emplace_back(camera.intrinsics));
+  }
   if (vehicle.scanner) fields.group("scanner", *vehicle.scanner);
   if (vehicle.laser_markers) fields.group("laser_markers", *vehicle.laser_markers);
   return fields;
 }
 
 /// All fields of the file. The model must already have all its parts.
-FieldList all_fields(VehicleModel& vehicle) {
-  FieldList fields = described_fields(vehicle.description);
+FieldList all_fields(VehicleModel& vehicle, OtherLenses& lenses, bool of_all = false) {
+  FieldList fields = described_fields(vehicle.description, lenses, of_all);
   fields.group("simulated.odometry", vehicle.simulated.odometry);
   for (const CameraDescription& camera : vehicle.description.cameras) {
     fields.group("simulated.cameras." + camera.name, vehicle.simulated.cameras[camera.name]);
@@ -110,13 +120,15 @@ class VehicleReader {
   }
 
   void read_fields(const YAML::Node& document) {
-    FieldList fields = all_fields(vehicle_);
+    OtherLenses lenses;
+    FieldList fields = all_fields(vehicle_, lenses, true);
     ParameterTree tree(file_, fields);
     for (const auto& entry : document) {
       const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
       if (key != "format" && key != "version" && key != "name") tree.read(key, entry.second);
     }
     for (Problem& found : tree.take_problems()) problems_.add(std::move(found));
+    for (OtherLens& lens : lenses) lens.settle_model();
   }
 
   std::string file_;
@@ -147,12 +159,14 @@ Result<VehicleModel> parse_vehicle(const std::string& text, const std::string& n
 
 std::string vehicle_yaml(const VehicleDescription& vehicle) {
   VehicleDescription copy = vehicle;
-  return text_of(vehicle.name, described_fields(copy));
+  OtherLenses lenses;
+  return text_of(vehicle.name, described_fields(copy, lenses));
 }
 
 std::string vehicle_yaml(const VehicleModel& vehicle) {
   VehicleModel copy = vehicle;
-  return text_of(vehicle.description.name, all_fields(copy));
+  OtherLenses lenses;
+  return text_of(vehicle.description.name, all_fields(copy, lenses));
 }
 
 }  // namespace aisle

@@ -54,6 +54,7 @@ Building whole_building() {
   building.walls.walls.push_back(
       {{{0, 0}, {12.3456, 0}}, true, WallEnd::kSeen, WallEnd::kUnknown, 17, 0.0125});
   building.camera.emplace().name = "corridor";
+  building.camera->intrinsics = {.k1 = 0.1, .model = LensModel::kEquidistant, .k4 = -0.01};
   Landmark landmark{.p_map = {3.125, -1.05}, .mass = 41.512345, .weight = 1.25, .sightings = 38, .passes = 2};
   landmark.covariance << 0.0004, -0.0001, -0.0001, 0.0009;
   landmark.seen_from = unit(-172 * kDegree);

@@ -145,7 +145,7 @@ TEST_F(ImageFolder, WhatIsNoRecordingIsRefused) {
        std::vector<std::pair<std::string, std::string>>{{"nowhere", "no such file"},
                                                         {"empty", "is no recording"},
                                                         {"empty/readme.txt", "is no recording"},
-                                                        {"bag", "is a ROS bag"}}) {
+                                                        {"bag", "is not a bag"}}) {
     const auto refused = open_image_sequence((place / name).string());
     ASSERT_FALSE(refused.ok()) << name;
     EXPECT_THAT(to_string(refused.problems()), HasSubstr(why)) << name;

@@ -17,12 +17,13 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-SessionOrigin imported_origin(bool has_odometry, bool has_calibration) {
-  SessionOrigin origin{.navigator = kImportedNavigator, .parameters = {}};
-  origin.has_odometry = has_odometry;
-  origin.has_calibration = has_calibration;
-  return origin;
-}
+/// Whether the images have odometry, and what is known of the sensors.
+struct Imported {
+  bool has_odometry = false;
+  KnownSensors known = {};
+};
+
+constexpr KnownSensors kAllKnown = {.lens = true, .mount = true};
 
 /// Images along a slalom, 0.2 s apart.
 std::vector<TimedImage> slalom(bool has_odometry) {
@@ -40,15 +41,16 @@ std::vector<TimedImage> slalom(bool has_odometry) {
 
 class ImportedSessionTest : public testing::Test {
  protected:
-  ImportedSession create(const SessionOrigin& origin, const VehicleDescription& vehicle = sample_vehicle()) {
-    auto session = ImportedSession::create(directory, false, vehicle, "front", origin);
+  ImportedSession create(const Imported& imported, const VehicleDescription& vehicle = sample_vehicle()) {
+    auto session =
+        ImportedSession::create(directory, false, vehicle, "front", imported.known, imported.has_odometry);
     EXPECT_TRUE(session.ok()) << to_string(session.problems());
     return std::move(session).value();
   }
 
-  void import_all(const std::vector<TimedImage>& images, const SessionOrigin& origin,
+  void import_all(const std::vector<TimedImage>& images, const Imported& imported,
                   const VehicleDescription& vehicle = sample_vehicle()) {
-    ImportedSession session = create(origin, vehicle);
+    ImportedSession session = create(imported, vehicle);
     for (const TimedImage& image : images) ASSERT_THAT(session.take(image), IsEmpty());
     ASSERT_THAT(session.finish(), IsEmpty());
   }
@@ -82,7 +84,7 @@ class ImportedSessionTest : public testing::Test {
 
 TEST_F(ImportedSessionTest, KeepsEveryByteOfItsImages) {
   const auto images = slalom(false);
-  import_all(images, imported_origin(false, false));
+  import_all(images, {});
   const auto messages = messages_on("/camera/front/image_raw/compressed");
   ASSERT_THAT(messages, SizeIs(images.size()));
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -95,7 +97,7 @@ TEST_F(ImportedSessionTest, KeepsEveryByteOfItsImages) {
 }
 
 TEST_F(ImportedSessionTest, InventsNothing) {
-  import_all(slalom(false), imported_origin(false, false));
+  import_all(slalom(false), {});
   for (const char* topic : {"/wheels", "/odom", "/tf", "/tf_static", "/camera/front/camera_info", "/bumper",
                             "/controls", "/truth/pose"})
     EXPECT_THAT(messages_on(topic), IsEmpty()) << topic;
@@ -105,10 +107,25 @@ TEST_F(ImportedSessionTest, InventsNothing) {
   EXPECT_FALSE(session->origin().simulated);
 }
 
+TEST_F(ImportedSessionTest, ALensWithoutItsPlaceIsNoCalibration) {
+  VehicleDescription vehicle = sample_vehicle();
+  vehicle.cameras[0].intrinsics = {.k1 = 0.1, .model = LensModel::kEquidistant, .k4 = -0.01};
+  import_all(slalom(true), {true, {.lens = true}}, vehicle);
+  const auto session = SessionCycles::open(directory);
+  EXPECT_FALSE(session->origin().has_calibration);
+  EXPECT_EQ(session->vehicle().cameras[0].intrinsics, vehicle.cameras[0].intrinsics);
+  EXPECT_THAT(messages_on("/tf_static"), IsEmpty());
+  const auto messages = messages_on("/camera/front/camera_info");
+  ASSERT_THAT(messages, SizeIs(20));
+  const auto info = parse_cdr<ros::CameraInfo>(messages[0]);
+  EXPECT_EQ(info->distortion_model, "equidistant");
+  EXPECT_EQ(info->d, (std::vector<double>{0.1, 0, 0, -0.01}));
+}
+
 TEST_F(ImportedSessionTest, ControlsStayWhatTheyAre) {
   auto images = slalom(false);
   images[0].controls = RecordedControls{-1, 0.7};
-  import_all(images, imported_origin(false, false));
+  import_all(images, {});
   const auto messages = messages_on("/controls");
   ASSERT_THAT(messages, SizeIs(1));
   EXPECT_EQ(parse_cdr<ros::JointState>(messages[0])->position, (std::vector<double>{-1, 0.7}));
@@ -120,7 +137,7 @@ TEST_F(ImportedSessionTest, WheelsLeadAlongTheRecordedPoses) {
   for (const auto& [vehicle, exact_m] : {std::pair(sample_vehicle(), 1e-9), std::pair(differential, 0.003)}) {
     fs::remove_all(directory);
     const auto images = slalom(true);
-    import_all(images, imported_origin(true, true), vehicle);
+    import_all(images, {true, kAllKnown}, vehicle);
     Pose2 T_odom_vehicle = *images[0].T_odom_vehicle;
     const auto all = cycles();
     ASSERT_THAT(all, SizeIs(images.size()));
@@ -133,7 +150,7 @@ TEST_F(ImportedSessionTest, WheelsLeadAlongTheRecordedPoses) {
 }
 
 TEST_F(ImportedSessionTest, TellsHowFarWheelsCannotFollow) {
-  ImportedSession session = create(imported_origin(true, false));
+  ImportedSession session = create({true, {}});
   auto images = slalom(true);
   images.resize(2);
   images[1].T_odom_vehicle = *images[0].T_odom_vehicle * Pose2{0, 0.4, 0};
@@ -143,7 +160,7 @@ TEST_F(ImportedSessionTest, TellsHowFarWheelsCannotFollow) {
 
 TEST_F(ImportedSessionTest, IsNotThereBeforeItIsWhole) {
   {
-    ImportedSession session = create(imported_origin(false, false));
+    ImportedSession session = create({});
     for (const TimedImage& image : slalom(false)) ASSERT_THAT(session.take(image), IsEmpty());
     EXPECT_FALSE(SessionReader::open(directory).ok());
   }
@@ -155,15 +172,14 @@ TEST_F(ImportedSessionTest, TakesOverWhatAKilledImportLeft) {
   write_file(place / ".drive.importing/drive/drive_0.db3", "half");
   write_file(place / ".drive.importing/drive/metadata.yaml", "");
   fs::create_directory(directory);
-  import_all(slalom(false), imported_origin(false, false));
+  import_all(slalom(false), {});
   EXPECT_THAT(cycles(), SizeIs(20));
   EXPECT_FALSE(fs::exists(place / ".drive.importing"));
 }
 
 TEST_F(ImportedSessionTest, ReplacesASessionOnlyIfForced) {
-  import_all(slalom(false), imported_origin(false, false));
-  const auto refused =
-      ImportedSession::create(directory, false, sample_vehicle(), "front", imported_origin(false, false));
+  import_all(slalom(false), {});
+  const auto refused = ImportedSession::create(directory, false, sample_vehicle(), "front", {}, false);
   ASSERT_FALSE(refused.ok());
   EXPECT_THAT(to_string(refused.problems()), HasSubstr("--force"));
   EXPECT_THAT(cycles(), SizeIs(20));

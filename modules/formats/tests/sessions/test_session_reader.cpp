@@ -166,8 +166,8 @@ TEST(SessionReader, MessagesThatAreNotWhatTheyShouldBeAreReported) {
   image.data = {1, 2, 3};
   const SessionTopic images{"/camera/front/image_raw", ros::Image::kType};
   EXPECT_THAT(trouble(images, cdr_bytes(image)), HasSubstr("2 x 2 pixels in rows of 2 bytes, with 3 bytes"));
-  image.encoding = "yuv422";
-  EXPECT_THAT(trouble(images, cdr_bytes(image)), HasSubstr("has images in 'yuv422'"));
+  image.encoding = "16UC1";
+  EXPECT_THAT(trouble(images, cdr_bytes(image)), HasSubstr("has images in '16UC1'"));
   ros::CompressedImage no_image;
   no_image.data = {1, 2, 3};
   EXPECT_THAT(

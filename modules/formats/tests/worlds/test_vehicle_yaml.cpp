@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <filesystem>
 
 #include "aisle/core/angle.hpp"
@@ -93,6 +94,23 @@ TEST(VehicleYaml, WrittenVehiclesReadAsTheyWere) {
     EXPECT_EQ(vehicle_yaml(*again), text);
     EXPECT_EQ(vehicle_yaml(again->description), vehicle_yaml(vehicle.description));
   }
+}
+
+TEST(VehicleYaml, EveryLensIsReadAsItWasWritten) {
+  VehicleDescription vehicle;
+  const CameraIntrinsics rational{.k1 = 90, .model = LensModel::kRationalPolynomial, .k4 = 89.5, .k6 = 1e-9};
+  const CameraIntrinsics fisheye{.k1 = 0.1, .model = LensModel::kEquidistant, .k4 = -0.01};
+  const CameraIntrinsics plain_fisheye{.model = LensModel::kEquidistant};
+  const std::array lenses = {CameraIntrinsics{.k3 = 0.2}, rational, fisheye, plain_fisheye};
+  for (std::size_t i = 0; i < lenses.size(); ++i)
+    vehicle.cameras.push_back({.name = fmt::format("camera_{}", i), .intrinsics = lenses[i]});
+  const std::string text = vehicle_yaml(vehicle);
+  const auto again = parse_vehicle(text, "cart.yaml");
+  ASSERT_TRUE(again.ok()) << to_string(again.problems());
+  for (std::size_t i = 0; i < lenses.size(); ++i)
+    EXPECT_EQ(again->description.cameras[i].intrinsics, lenses[i]) << i;
+  vehicle.cameras.resize(1);
+  EXPECT_THAT(vehicle_yaml(vehicle), testing::Not(HasSubstr("is_fisheye")));
 }
 
 TEST(VehicleYaml, TheDescriptionAloneDoesNotContainTheTruth) {

@@ -46,6 +46,9 @@ std::optional<MountCalibration> calibrate_mount(std::span<const FloorMark> marks
 /// Whether the marks lie so nearly on one line that no mount follows from them.
 bool are_on_one_line(std::span<const FloorMark> marks);
 
+/// Tilt, pan and roll of a rotation. Looking straight down, pan is 0.
+CameraMount mount_of(const Mat3& R_vehicle_camera, const Vec3& p_vehicle_camera);
+
 /// What the figures of a calibration mean.
 CalibrationVerdict judge(const MountCalibration& calibration);
 

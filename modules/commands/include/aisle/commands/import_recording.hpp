@@ -13,7 +13,8 @@ struct ImportOptions {
   std::filesystem::path out;      ///< directory of the new session
   std::optional<double> rate_hz;  ///< > 0; none: the recording's own stamps
   std::string vehicle;            ///< vehicle file or name of a shipped vehicle; empty: not known
-  std::string camera;             ///< name of the camera; empty: the vehicle's only one, or "front"
+  std::string camera;             ///< topic of a bag's images, else name of the camera; empty: the only one
+  std::string odometry;           ///< of a bag: a topic, "tf" or "none"; empty: chosen
   bool force = false;
 };
 

@@ -16,7 +16,7 @@ struct BagOverview {
     ros::Stamp_ns first = 0, last = 0;  ///< when its messages were recorded
     double rate_hz = 0;                 ///< 0 with fewer than two messages
     std::vector<std::string> frames;    ///< "laser", or "odom -> base_link"; at most 20
-    std::string serves;                 ///< "scan", "odometry", "camera", "mounts" or "not read"
+    std::string serves;                 ///< "scan", "odometry", "camera", "lens", "mounts" or "not read"
   };
 
   long messages = 0;

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "aisle/core/result.hpp"
+#include "aisle/geometry/back_projection.hpp"
+#include "aisle/geometry/camera_model.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/vehicle/front_steered.hpp"
 
@@ -16,6 +18,13 @@ namespace aisle {
 struct RecordedControls {
   double steering = 0;
   double throttle = 0;
+};
+
+/// What a recording tells of the camera that took its images, within what a vehicle file may say.
+struct RecordedCamera {
+  std::string topic = {};  ///< of a bag; else empty
+  std::optional<CameraIntrinsics> lens;
+  std::optional<CameraMount> mount;
 };
 
 /// An image as it was recorded, and what is known of its moment.
@@ -34,6 +43,7 @@ class ImageSequence {
   virtual int width_px() const = 0;
   virtual int height_px() const = 0;
   virtual bool has_odometry() const = 0;
+  virtual RecordedCamera camera() const { return {}; }
   /// Median time from one image to the next; 0: there is only one.
   virtual double period_s() const = 0;
   /// How many images the recording names; next() leaves out those that cannot be used.
@@ -52,10 +62,12 @@ class ImageSequence {
 struct ImageSequenceOptions {
   std::optional<double> rate_hz;              ///< > 0: images have this rate, whatever stamps they have
   std::optional<FrontSteered> front_steered;  ///< tells what distances and steering angles mean
+  std::string topic = {};                     ///< of a bag's images; empty: the only one that has any
+  std::string odometry = {};                  ///< of a bag: a topic, "tf" or "none"; empty: chosen
 };
 
-/// Opens a recording: a Donkeycar tub, a folder of images, a list of images. What it is shows in its content;
-/// docs/formats/image-sequences.md. A recording without a single usable image is a problem.
+/// Opens a recording: a Donkeycar tub, a folder of images, a list of images, a ROS bag. What it is shows in
+/// its content; docs/formats/image-sequences.md. A recording without a single usable image is a problem.
 Result<std::unique_ptr<ImageSequence>> open_image_sequence(const std::string& recording,
                                                            const ImageSequenceOptions& options = {});
 

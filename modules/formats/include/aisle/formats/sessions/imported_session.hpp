@@ -7,7 +7,6 @@
 
 #include "aisle/core/result.hpp"
 #include "aisle/formats/image_sequences/image_sequence.hpp"
-#include "aisle/formats/sessions/session_origin.hpp"
 #include "aisle/formats/sessions/session_writer.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
@@ -16,6 +15,13 @@ namespace aisle {
 /// The navigator of sessions that another program recorded: nobody decided in them.
 inline constexpr const char* kImportedNavigator = "imported";
 
+/// What the recording or the user tells of the vehicle's sensors; the rest of the description is
+/// placeholders.
+struct KnownSensors {
+  bool lens = false;   ///< of the camera
+  bool mount = false;  ///< of the camera
+};
+
 /// Writes the images of a recording as a session, byte for byte. The session is in its place only after
 /// finish(): until then it grows in a hidden folder beside it, which is removed if the work ends before, and
 /// which the next import to this place takes over if the process was killed.
@@ -23,10 +29,11 @@ class ImportedSession {
  public:
   /// `directory` and `force` as in SessionWriter::create.
   /// @param camera  a camera of the vehicle: what the images are of
-  /// @param origin  says whether the images have odometry and the vehicle's camera is the real one
+  /// @param known   of that camera; viewers get no calibration and frames that nobody knows
+  /// @param has_odometry  whether the images have it
   static Result<ImportedSession> create(const std::filesystem::path& directory, bool force,
                                         const VehicleDescription& vehicle, const std::string& camera,
-                                        const SessionOrigin& origin);
+                                        const KnownSensors& known, bool has_odometry);
 
   ImportedSession(ImportedSession&&) noexcept = default;
   ImportedSession& operator=(ImportedSession&&) noexcept = delete;
@@ -44,7 +51,7 @@ class ImportedSession {
 
  private:
   ImportedSession(std::filesystem::path directory, SessionWriter writer, VehicleDescription vehicle,
-                  std::string camera, SessionOrigin origin);
+                  std::string camera, const KnownSensors& known, bool has_odometry);
 
   Problems write_head(ros::Stamp_ns stamp);
   Problems write_odometry(ros::Stamp_ns stamp, const Pose2& T_odom_vehicle);
@@ -53,7 +60,8 @@ class ImportedSession {
   std::unique_ptr<SessionWriter> writer_;  ///< null: moved away, or finished
   VehicleDescription vehicle_;
   std::string camera_;
-  SessionOrigin origin_;
+  KnownSensors known_;
+  bool has_odometry_;
   std::optional<ros::Stamp_ns> last_stamp_;
   Pose2 T_odom_start_;
   Pose2 T_start_vehicle_;  ///< by the wheels' readings

@@ -1,0 +1,175 @@
+#include "image_sequences/bag_images.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "aisle/core/median.hpp"
+#include "aisle/vehicle/odometry_track.hpp"
+#include "bags/bag_camera.hpp"
+#include "bags/bag_clock.hpp"
+#include "bags/motion_choice.hpp"
+#include "bags/scanner_mount.hpp"
+#include "image_sequences/stamp_order.hpp"
+#include "image_sequences/usable_images.hpp"
+#include "sessions/ros_image.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kBesideOdometry_s = 0.5;
+
+/// An image that is still in the bag.
+struct StampedImage {
+  long number = 0;  ///< of its message
+  double stamp_s = 0;
+  std::optional<Pose2> T_odom_vehicle;
+};
+
+/// Images and odometry on one clock, each image with the pose at its time.
+std::vector<StampedImage> stamped_images(const BagImages& images, const BagMotion& motion,
+                                         const std::string& topic, const std::string& file,
+                                         Problems& warnings) {
+  std::vector<MessageStream> streams = {{topic, images.times}, {motion.source, {}}};
+  for (const BagPose& pose : motion.poses) streams[1].times.push_back(pose.time);
+  const auto times_s = stream_times_s(streams, file, warnings);
+  std::vector<OdometrySample> samples;
+  for (std::size_t i = 0; i < motion.poses.size(); ++i)
+    samples.push_back({times_s[1][i], motion.poses[i].T_parent_child, motion.poses[i].time.number});
+  std::vector<StampedImage> stamped;
+  std::size_t beside = 0;
+  for (std::size_t i = 0; i < images.times.size(); ++i) {
+    const double stamp_s = times_s[0][i];
+    stamped.push_back({images.times[i].number, stamp_s, {}});
+    if (samples.empty()) continue;
+    stamped.back().T_odom_vehicle = OdometryTrack(samples).at(stamp_s, samples.size());
+    if (stamp_s < samples.front().time_s - kBesideOdometry_s ||
+        stamp_s > samples.back().time_s + kBesideOdometry_s)
+      ++beside;
+  }
+  if (beside > 0)
+    warnings.push_back({{file, 0, motion.source},
+                        fmt::format("{} of {} images are before its first or after its last message: there "
+                                    "the vehicle is taken to stand",
+                                    beside, stamped.size())});
+  return stamped;
+}
+
+class BagImageSequence final : public UsableImages {
+ public:
+  BagImageSequence(BagReader bag, std::size_t topic, std::vector<StampedImage> images, std::string file)
+      : UsableImages(file),
+        bag_(std::move(bag)),
+        topic_(topic),
+        images_(std::move(images)),
+        file_(std::move(file)) {
+    bag_.want({topic_});
+  }
+
+  void set_camera(RecordedCamera camera) { camera_ = std::move(camera); }
+  using UsableImages::warn;
+
+  bool has_odometry() const override { return !images_.empty() && images_.front().T_odom_vehicle; }
+  RecordedCamera camera() const override { return camera_; }
+  double period_s() const override;
+  std::size_t size() const override { return images_.size(); }
+  Problems warnings() const override {
+    Problems warnings = bag_.warnings();
+    for (Problem& warning : UsableImages::warnings()) warnings.push_back(std::move(warning));
+    return warnings;
+  }
+
+ private:
+  Result<std::optional<Candidate>> next_candidate() override {
+    while (at_ < images_.size()) {
+      const auto message = bag_.next();
+      if (!message) return message.problems();
+      if (!*message) break;
+      if ((*message)->number != images_[at_].number) continue;  // one whose header could not be read
+      const StampedImage& image = images_[at_++];
+      const Place place{file_, image.number, topic().name};
+      if (!(image.stamp_s >= before_s_ + kStampStepMin_s && image.stamp_s <= kStampMax_s)) {
+        leave_out("image", {place, fmt::format("has the stamp {:.6f} s, not later than the image before",
+                                               image.stamp_s)});
+      } else if (auto usable = decoded((*message)->bytes, place); !usable) {
+        leave_out("damaged image", usable.problems().front());
+      } else {
+        before_s_ = image.stamp_s;
+        return std::optional(Candidate{
+            {.stamp_s = image.stamp_s, .bytes = {}, .T_odom_vehicle = image.T_odom_vehicle, .controls = {}},
+            std::move(*usable),
+            place});
+      }
+    }
+    return std::optional<Candidate>();
+  }
+
+  /// What a compressed image is shows in its bytes; its format's name is written in many ways.
+  Result<UsableImage> decoded(std::string_view bytes, const Place& place) const {
+    const std::string name = to_string(Problem{place, "an image"});
+    if (topic().type == ros::Image::kType) {
+      const auto message = parse_message<ros::Image>(bytes, topic().encoding);
+      if (!message) return Problem{place, "is cut off"};
+      const auto pixels = image_of(*message, place);
+      if (!pixels) return pixels.problems();
+      return usable_pixels(*pixels, name);
+    }
+    const auto message = parse_message<ros::CompressedImage>(bytes, topic().encoding);
+    if (!message) return Problem{place, "is cut off"};
+    return usable_file({reinterpret_cast<const char*>(message->data.data()), message->data.size()}, name);
+  }
+
+  const BagTopic& topic() const { return bag_.topics()[topic_]; }
+
+  BagReader bag_;
+  std::size_t topic_;
+  std::vector<StampedImage> images_;
+  std::string file_;
+  RecordedCamera camera_;
+  std::size_t at_ = 0;
+  double before_s_ = -kStampStepMin_s;
+};
+
+double BagImageSequence::period_s() const {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < images_.size(); ++i)
+    steps_s.push_back(images_[i].stamp_s - images_[i - 1].stamp_s);
+  return steps_s.empty() ? 0 : median(std::move(steps_s));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ImageSequence>> open_bag_images(const std::filesystem::path& path,
+                                                       const ImageSequenceOptions& options) {
+  const std::string file = path.string();
+  if (options.rate_hz) return Problem{{file}, "has stamps: --rate is for images that have none"};
+  auto bag = BagReader::open(path);
+  if (!bag) return bag.problems();
+  Problems warnings;
+  const auto choice = choose_image_topics(bag->topics(), options.topic, options.odometry, file, warnings);
+  if (!choice) return choice.problems();
+  const std::string topic = bag->topics()[*choice->images].name;
+  auto streams = read_streams(*bag, *choice, file, warnings);
+  if (!streams) return streams.problems();
+  const BagMotion motion = choose_motion(*streams, *choice, options.odometry, file, warnings);
+  if (motion.poses.empty())
+    warnings.push_back({{file},
+                        "has no odometry: nothing that needs it, such as aisle learn, works with this "
+                        "recording"});
+  auto images = stamped_images(streams->images, motion, topic, file, warnings);
+  auto sequence =
+      std::make_unique<BagImageSequence>(std::move(*bag), *choice->images, std::move(images), file);
+  if (Problems problems = sequence->begin(); !problems.empty()) return problems;
+  const Problem about_camera{{file, 0, topic}, {}};
+  sequence->set_camera(
+      {topic,
+       bag_lens(streams->images, topic, sequence->width_px(), sequence->height_px(), about_camera, warnings),
+       bag_mount(streams->transforms, base_frame(motion, streams->transforms), streams->images.frame,
+                 about_camera, warnings)});
+  for (Problem& warning : warnings) sequence->warn(std::move(warning));
+  return std::unique_ptr<ImageSequence>(std::move(sequence));
+}
+
+}  // namespace aisle
