@@ -1,56 +1,54 @@
 #include "raw_type.hpp"
 
-#include <cstring>
+#include <algorithm>
+#include <string_view>
 
 namespace aisle {
 namespace {
 
-constexpr std::uint32_t kUsual_bytes = 256;  // the memory for a message grows where it is larger
-constexpr std::uint32_t kMost_bytes = 64U << 20;
-
-std::string& bytes_of(void* data) {
-  return *static_cast<std::string*>(data);
-}
+constexpr std::uint32_t kEncapsulationBytes = 4;
+constexpr std::uint32_t kMessageBytesMax = 64U << 20U;
+/// What Fast DDS reserves before the first message; larger ones make it reserve more.
+constexpr std::uint32_t kMessageBytesExpected = 64;
 
 }  // namespace
 
-RawType::RawType(const std::string& dds_type) {
-  setName(dds_type.c_str());
-  m_typeSize = kUsual_bytes;
-  m_isGetKeyDefined = false;
+RawType::RawType(const std::string& name) {
+  setName(name.c_str());
+  m_typeSize = kMessageBytesExpected;
   auto_fill_type_object(false);
   auto_fill_type_information(false);
 }
 
-bool RawType::serialize(void* data, Payload* payload) {
-  const std::string& bytes = bytes_of(data);
+bool RawType::serialize(void* message, Payload* payload) {
+  const auto& bytes = *static_cast<const std::string_view*>(message);
   if (bytes.size() > payload->max_size) return false;
-  std::memcpy(payload->data, bytes.data(), bytes.size());
+  std::copy(bytes.begin(), bytes.end(), payload->data);
   payload->length = static_cast<std::uint32_t>(bytes.size());
   payload->encapsulation = CDR_LE;
   return true;
 }
 
-bool RawType::deserialize(Payload* payload, void* data) {
-  if (payload->length > kMost_bytes) return false;
-  bytes_of(data).assign(reinterpret_cast<const char*>(payload->data), payload->length);  // NOLINT: bytes
+bool RawType::deserialize(Payload* payload, void* message) {
+  if (payload->length < kEncapsulationBytes || payload->length > kMessageBytesMax) return false;
+  static_cast<std::string*>(message)->assign(reinterpret_cast<const char*>(payload->data), payload->length);
   return true;
 }
 
-std::function<std::uint32_t()> RawType::getSerializedSizeProvider(void* data) {
-  return [data] { return static_cast<std::uint32_t>(bytes_of(data).size()); };
+std::function<std::uint32_t()> RawType::getSerializedSizeProvider(void* message) {
+  return
+      [message] { return static_cast<std::uint32_t>(static_cast<const std::string_view*>(message)->size()); };
 }
 
 void* RawType::createData() {
-  return new std::string;  // NOLINT: Fast DDS owns it until deleteData
+  return new std::string;
 }
 
-void RawType::deleteData(void* data) {
-  delete static_cast<std::string*>(data);  // NOLINT: from createData
+void RawType::deleteData(void* message) {
+  delete static_cast<std::string*>(message);
 }
 
-bool RawType::getKey(void* /*data*/, eprosima::fastrtps::rtps::InstanceHandle_t* /*handle*/,
-                     bool /*force_md5*/) {
+bool RawType::getKey(void*, eprosima::fastrtps::rtps::InstanceHandle_t*, bool) {
   return false;
 }
 

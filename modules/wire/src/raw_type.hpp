@@ -1,25 +1,26 @@
 #pragma once
 
 #include <fastdds/dds/topic/TopicDataType.hpp>
-#include <functional>
 #include <string>
 
 namespace aisle {
 
-/// A type of messages that is a name and bytes: what a message of ROS is on the wire. Others describe their
-/// types, too; nobody who matches by topic and name needs that.
+/// A type that is a name and bytes. Fast DDS writes a std::string_view and reads into a std::string, both
+/// with the bytes of encapsulation.
 class RawType final : public eprosima::fastdds::dds::TopicDataType {
  public:
   using Payload = eprosima::fastrtps::rtps::SerializedPayload_t;
 
-  explicit RawType(const std::string& dds_type);
+  /// @param name as DDS says it
+  explicit RawType(const std::string& name);
 
-  bool serialize(void* data, Payload* payload) override;
-  bool deserialize(Payload* payload, void* data) override;
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override;
+  bool serialize(void* message, Payload* payload) override;
+  /// @return false, so that the message is dropped, if it is without encapsulation or larger than 64 MiB
+  bool deserialize(Payload* payload, void* message) override;
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* message) override;
   void* createData() override;
-  void deleteData(void* data) override;
-  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool force_md5) override;
+  void deleteData(void* message) override;
+  bool getKey(void* message, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool force_md5) override;
 };
 
 }  // namespace aisle

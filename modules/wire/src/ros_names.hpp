@@ -1,18 +1,25 @@
 #pragma once
+/// How ROS 2 names its topics and types in DDS: "/scan" is "rt/scan", "sensor_msgs/msg/LaserScan" is
+/// "sensor_msgs::msg::dds_::LaserScan_".
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace aisle {
 
-/// How DDS calls what ROS 2 calls "/scan": "rt/scan".
-std::string dds_topic(const std::string& ros_topic);
-/// nullopt: it is no topic of ROS.
-std::optional<std::string> ros_topic(const std::string& dds_topic);
+/// A full topic name: "/", then words of letters, digits and _, separated by "/".
+bool is_ros_topic(std::string_view topic);
+/// A message type: "package/msg/Name".
+bool is_ros_type(std::string_view type);
 
-/// "sensor_msgs/msg/LaserScan" -> "sensor_msgs::msg::dds_::LaserScan_"
-std::string dds_type(const std::string& ros_type);
-/// A type that is none of ROS keeps its name.
-std::string ros_type(const std::string& dds_type);
+/// @param topic, type  as ROS says them
+std::string dds_topic(std::string_view topic);
+std::string dds_type(std::string_view type);
+
+/// @return nullopt if it is no topic of ROS: services, actions, and what is not ROS at all
+std::optional<std::string> ros_topic(std::string_view dds);
+/// @return the name as it is if it is not a message type of ROS
+std::string ros_type(std::string_view dds);
 
 }  // namespace aisle
