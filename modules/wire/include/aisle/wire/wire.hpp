@@ -21,7 +21,7 @@ struct WireSettings {
 
 /// What a subscription asks for, or a publisher offers: quality of service, as the ROS 2 profiles have it.
 enum class WireQuality {
-  kSensor,   ///< best effort, volatile, the last 5: what every subscription asks for but the next
+  kSensor,   ///< best effort, volatile, the last 5: what subscriptions ask for, but those to latched topics
   kDefault,  ///< reliable, volatile, the last 10
   kCommand,  ///< reliable, volatile, the last 1
   kLatched,  ///< reliable, transient local, the last 10: /map, /tf_static
@@ -40,18 +40,20 @@ struct WireEndpoint {
   friend bool operator==(const WireEndpoint&, const WireEndpoint&) = default;
 };
 
-/// Keeps a topic subscribed; its destruction returns once the sink is no longer called.
+/// Keeps a topic subscribed, even after the wire that made it; its destruction returns once the sink is no
+/// longer called.
 class WireSubscription {
  public:
   virtual ~WireSubscription() = default;
 
   /// How many publishers are matched. A match promises nothing: only data do.
   virtual std::size_t publishers() const = 0;
-  /// Publishers of this topic and type that cannot be matched: "reliability", "durability"; empty: none.
+  /// What publishers of this topic and type lack that cannot be matched: "reliability", "durability", or
+  /// "durability, reliability"; empty: there is none.
   virtual std::string incompatible_quality() const = 0;
 };
 
-/// Publishes on one topic.
+/// Publishes on one topic, even after the wire that made it.
 class WirePublisher {
  public:
   virtual ~WirePublisher() = default;
@@ -65,11 +67,13 @@ class WirePublisher {
 /// A participant of a ROS 2 network (DDS, RTPS over UDP), without ROS 2. All calls are thread-safe.
 class Wire {
  public:
-  /// Takes a message's bytes as they came, with encapsulation; called by a thread of the wire, one message of
-  /// a subscription at a time. Must not block and must not throw.
+  /// Takes a message's bytes as they came: with encapsulation, filled up to a multiple of four bytes, at most
+  /// 64 MiB. Called by a thread of the wire, one message of a subscription at a time. Must not block, must
+  /// not throw, and must not end a subscription.
   using Sink = std::function<void(std::string_view message)>;
 
-  /// @return problems if an address is none of this machine's, or the domain is out of range
+  /// @return all problems, with the keys "domain", "interface" and "peers": the domain is out of range, the
+  ///         interface's address is none of this machine's, a peer is no address or cannot be reached from it
   static Result<std::unique_ptr<Wire>> open(const WireSettings& settings);
 
   virtual ~Wire() = default;
@@ -84,7 +88,8 @@ class Wire {
                                                            WireQuality quality) = 0;
 
   /// What others publish and subscribe at present, sorted by topic, type and kind; our own are not in it.
-  /// A killed program stays in it until its lease ends (10 to 20 s).
+  /// A killed program stays in it until its lease ends (10 to 20 s). So does one of Cyclone DDS that ends,
+  /// and what it stops to publish or subscribe before stays in it with it: its goodbye is not understood.
   virtual std::vector<WireEndpoint> endpoints() const = 0;
 };
 
