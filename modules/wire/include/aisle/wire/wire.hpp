@@ -48,7 +48,8 @@ class WireSubscription {
 
   /// How many publishers are matched. A match promises nothing: only data do.
   virtual std::size_t publishers() const = 0;
-  /// Publishers of this topic and type that cannot be matched: "reliability", "durability"; empty: none.
+  /// What publishers of this topic and type lack that cannot be matched: "reliability", "durability", or
+  /// "durability, reliability"; empty: there is none.
   virtual std::string incompatible_quality() const = 0;
 };
 
@@ -71,7 +72,8 @@ class Wire {
   /// not throw, and must not end a subscription.
   using Sink = std::function<void(std::string_view message)>;
 
-  /// @return problems if an address is none of this machine's, or the domain is out of range
+  /// @return all problems, with the keys "domain", "interface" and "peers": the domain is out of range, the
+  ///         interface's address is none of this machine's, a peer is no address or cannot be reached from it
   static Result<std::unique_ptr<Wire>> open(const WireSettings& settings);
 
   virtual ~Wire() = default;
