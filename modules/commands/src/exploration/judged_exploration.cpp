@@ -68,7 +68,8 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
   auto mission = drive_exploration(simulated, &simulated, navigator, std::move(former), session, progress);
   if (!mission) return mission.problems();
   const LaserLog& log = mission->log;
-  MapResult map = build_map(log, plan.params.learner.mapping, {.odometry_delay_s = 0.0}, false, progress);
+  MapResult map = build_map(log, plan.params.learner.mapping,
+                            {.odometry_delay_s = 0.0, .odometry_noise = true}, false, progress);
   FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
   draw_grazing_walls(map.walls, floor);
   CorridorGraph corridors = trace_corridors(floor, map.T_map_vehicle.front().position(), {});
