@@ -268,6 +268,9 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
                                : build_published_map(log, params.segments, PublishedParams{},
                                                      options.odometry_delay_s.value_or(0), console.progress);
 
+  for (Problem& warning : at_file(result.warnings, options.log.string()))
+    settled->warnings.push_back(std::move(warning));
+
   Outcome outcome{.verb = "map"};
   log.laser().T_vehicle_laser = result.T_vehicle_laser;
   const bool is_given = options.reading.T_vehicle_laser.has_value();

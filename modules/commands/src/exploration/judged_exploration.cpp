@@ -68,8 +68,8 @@ Result<Explored> explore_once(const Exploring& exploring, Vehicle& vehicle, cons
   if (!mission) return mission.problems();
   if (mission->log.scans.empty())
     return Problem{{"explore"}, "ended before the first scan was taken: " + mission->end.why};
-  MapResult map =
-      build_map(mission->log, params.learner.mapping, {.odometry_delay_s = 0.0}, false, exploring.progress);
+  MapResult map = build_map(mission->log, params.learner.mapping,
+                            {.odometry_delay_s = 0.0, .odometry_noise = true}, false, exploring.progress);
   FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
   draw_grazing_walls(map.walls, floor);
   CorridorGraph corridors = trace_corridors(floor, map.T_map_vehicle.front().position(), {});

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "aisle/learning/walls/scan_odometry.hpp"
 #include "aisle/learning/walls/scanner_calibration.hpp"
-#include "walls/odometry_leaps.hpp"
+#include "aisle/vehicle/odometry_track.hpp"
 
 namespace aisle {
 namespace {
@@ -27,6 +28,10 @@ constexpr double kClearGain = 0.005;  // of the correlation, by a delay that is 
 constexpr double kClearShare = 0.5;   // ... and this share of what it lacked without
 constexpr double kFarMounting_m = 0.1;
 constexpr double kFarMounting_rad = 10 * kDegree;
+constexpr double kTellingSweep_rad = 2 * kDegree;  // of the vehicle during a scan
+constexpr std::size_t kTellingScans = 20;          // while the vehicle turns
+constexpr std::size_t kTellingScansMax = 300;
+constexpr double kSweepGain = 0.02;  // of the share that fits, if the readings are measured in another order
 constexpr double kTooSparseShare = 0.6;
 
 /// Mirrors every scan: beam 0 becomes the last.
@@ -56,6 +61,32 @@ double turned_rad(std::span<const OdometrySample> odometry) {
   return turned_rad;
 }
 
+/// How well the scans fit the ones before them while the vehicle turns, if their readings were measured in
+/// the order that the log says (`direction` 1) or the other way round (-1). nullopt: there is no order, or
+/// too little turning.
+std::optional<double> share_in_turns(const LaserLog& log, double delay_s, int direction) {
+  const OdometryTrack track(log.odometry);
+  const auto T_odom_laser = [&](double time_s) {
+    return track.at(time_s - delay_s, log.odometry.size()) * log.laser().T_vehicle_laser;
+  };
+  ScanOdometry scans;
+  std::vector<Vec2> points;
+  double shares = 0;
+  std::size_t turning = 0;
+  for (const LaserScan& scan : log.scans) {
+    if (scan.laser != 0 || !scan.beams || scan.beams->period_s == 0) continue;
+    const double half_s = 0.5 * direction * scan.beams->period_s * static_cast<double>(scan.ranges_m.size());
+    const Pose2 swept = between(T_odom_laser(scan.time_s - half_s), T_odom_laser(scan.time_s + half_s));
+    points_of(log.laser_of(scan), scan.ranges_m, points, swept);
+    const double share = scans.step(points, scan.time_s).share;
+    if (std::abs(swept.theta) < kTellingSweep_rad) continue;
+    shares += share;
+    if (++turning == kTellingScansMax) break;
+  }
+  if (turning < kTellingScans) return std::nullopt;
+  return shares / static_cast<double>(turning);
+}
+
 class LogCorrection {
  public:
   LogCorrection(LaserLog& log, const OpenOfLog& open, Progress& progress)
@@ -76,6 +107,7 @@ class LogCorrection {
       if (agreement_.correlation > kInCommon) {
         correct_clock();
         if (open_.mounting) correct_mounting();
+        correct_order();
       } else {
         warn(0, fmt::format(
                     "the turns by the odometry and by the scans have little in common (correlation {:.2f}): "
@@ -83,7 +115,6 @@ class LogCorrection {
                     agreement_.correlation));
       }
     }
-    for (Problem& leap : correct_leaps(log_)) warnings_.push_back(std::move(leap));
     const double delay_s = agreement_.correlation > kInCommon ? agreement_.delay_s : 0;
     return LogFindings{std::move(warnings_), delay_s, false};
   }
@@ -212,6 +243,20 @@ class LogCorrection {
             "turned by {:.0f} degrees (+- {:.0f}) on the vehicle",
             T_vehicle_laser.x, T_vehicle_laser.y, found->sigma_m, to_degrees(T_vehicle_laser.theta),
             to_degrees(found->sigma_rad)));
+  }
+
+  /// Some drivers turn the readings of a clockwise scanner round, but not the time between them.
+  void correct_order() {
+    const auto as_given = share_in_turns(log_, agreement_.delay_s, 1);
+    const auto reversed = share_in_turns(log_, agreement_.delay_s, -1);
+    if (!as_given || !reversed || *reversed < *as_given + kSweepGain) return;
+    for (LaserScan& scan : log_.scans) {
+      if (scan.laser == 0 && scan.beams) scan.beams->period_s = -scan.beams->period_s;
+    }
+    warn(log_.scans.front().line,
+         fmt::format("the last reading of a scan was measured first: in turns, {:.0f} % of the readings then "
+                     "fit the scans before, instead of {:.0f} %",
+                     100 * *reversed, 100 * *as_given));
   }
 
   LaserLog& log_;

@@ -1,12 +1,17 @@
 #include "aisle/learning/walls/map_building.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <string>
+#include <utility>
 
 #include "aisle/geometry/dominant_direction.hpp"
 #include "aisle/learning/walls/odometry_delay.hpp"
 #include "aisle/learning/walls/scan_geometry.hpp"
+#include "aisle/learning/walls/scan_odometry.hpp"
 #include "aisle/learning/walls/scanner_calibration.hpp"
 #include "walls/scan_mapping.hpp"
 #include "walls/wall_adjustment.hpp"
@@ -14,7 +19,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kFrameShare = 0.6;  // scans with a clearer frame are used for the odometry delay
+constexpr double kFrameShare = 0.6;      // scans with a clearer frame are used for the odometry delay
+constexpr double kContradicted_m = 0.3;  // odometry that is off by more from scan to scan is said
+constexpr double kContradicted_rad = 20 * kDegree;
 constexpr double kFinalGate_m = 0.15;
 constexpr int kFinalIterations = 4;
 constexpr double kFinalSigma_m = 0.02;  // how far one scan may move from its place between the keyframes
@@ -40,7 +47,12 @@ class MapBuilder {
   void take_scan(std::size_t scan) {
     segmenter_.extract(geometry_of(log_.scans[scan]), log_.scans[scan].ranges_m, seen_);
     place_on_first_laser(log_.scans[scan].laser);
-    mapping_.step(seen_, motion_to(scan));
+    const Pose2 counted = counted_to(scan);
+    if (known_.odometry_noise) {
+      mapping_.step(seen_, counted);
+    } else {
+      mapping_.step_by_motion(seen_, motion_to(scan, counted));
+    }
     online_.push_back(mapping_.T_map_sensor());
     if (!known_.mounting) learn_mounting(scan);
   }
@@ -97,6 +109,7 @@ class MapBuilder {
     result.T_map_vehicle_online = of_vehicle(online_);
     result.path_m = mapping_.tracker().path_m();
     result.odometry_delay_s = delay_s();
+    result.warnings = contradictions();
     result.T_vehicle_laser = T_vehicle_laser_;
     for (const LoopClosure& closure : mapping_.loops().closures()) {
       const auto scan = [&](std::size_t submap) {
@@ -160,8 +173,39 @@ class MapBuilder {
       T_vehicle_laser_ = mounting_.T_vehicle_laser(log_.laser().T_vehicle_laser);
   }
 
-  /// The sensor's motion from the previous scan to this one, by odometry at the delayed times.
-  Pose2 motion_to(std::size_t scan) {
+  /// The first scanner's motion from the previous scan to this one, by the odometry and by its own scans.
+  UncertainPose2 motion_to(std::size_t scan, const Pose2& counted) {
+    const LaserScan& now = log_.scans[scan];
+    counted_since_ = counted_since_ * counted;
+    if (now.laser != 0) return with_noise(counted);
+    points_of(log_.laser_of(now), now.ranges_m, points_, geometry_of(now).swept);
+    UncertainPose2 moved = scans_.step(points_, now.time_s, with_noise(counted_since_)).T_last_now;
+    const Pose2 off = between(counted_since_, moved.mean);
+    if (off.position().norm() > kContradicted_m || std::abs(off.theta) > kContradicted_rad)
+      contradictions_.push_back({scan, off});
+    moved.mean = counted * off;
+    counted_since_ = {};
+    return moved;
+  }
+
+  Problems contradictions() const {
+    if (contradictions_.empty()) return {};
+    const auto& [scan, off] = contradictions_.front();
+    const std::size_t more = contradictions_.size() - 1;
+    const std::string where = more == 0 ? "here" : fmt::format("here and at {} later scans", more);
+    return {
+        {{"", log_.scans[scan].line},
+         fmt::format("the odometry contradicts the scans {}: here by {:.2f} m and {:.0f} degrees since the "
+                     "scan before; the scans are believed as far as they tell",
+                     where, off.position().norm(), to_degrees(std::abs(off.theta)))}};
+  }
+
+  UncertainPose2 with_noise(const Pose2& counted) const {
+    return {counted, params_.tracker.motion.covariance(counted)};
+  }
+
+  /// The same by the odometry alone, at the delayed times.
+  Pose2 counted_to(std::size_t scan) {
     const LaserScan& now = log_.scans[scan];
     const auto frame = dominant_direction(seen_);
     const bool clear = frame && frame->share > kFrameShare;
@@ -179,6 +223,11 @@ class MapBuilder {
   OdometryTrack odometry_;
   OdometryDelayEstimator delay_;
   RangeSegmenter segmenter_;
+  ScanOdometry scans_;
+  Pose2 counted_since_;  ///< by the odometry, since the first scanner's last scan
+  std::vector<std::pair<std::size_t, Pose2>>
+      contradictions_;  ///< scan; the motion by all, seen from the counted
+  std::vector<Vec2> points_;
   ScanMapping mapping_;
   std::vector<SensedSegment> seen_;
   std::vector<Pose2> online_;

@@ -31,8 +31,16 @@ std::vector<Pose2> carried_along(const std::vector<Pose2>& tracked, const std::v
 }
 
 bool ScanMapping::step(std::span<const SensedSegment> segments, const Pose2& T_last_now) {
+  return keep(segments, tracker_.step(segments, T_last_now, orthogonal_));
+}
+
+bool ScanMapping::step_by_motion(std::span<const SensedSegment> segments, const UncertainPose2& T_last_now) {
+  return keep(segments, tracker_.step_by_motion(segments, T_last_now, orthogonal_));
+}
+
+bool ScanMapping::keep(std::span<const SensedSegment> segments, const Pose2& T_track_sensor) {
   segments_.append(segments);
-  tracked_.push_back(tracker_.step(segments, T_last_now, orthogonal_));
+  tracked_.push_back(T_track_sensor);
   if (tracked_.size() >= kFirstVerdict && !shows_axes()) orthogonal_ = false;
   return submap_is_complete() && close_submap();
 }

@@ -23,6 +23,8 @@ class ScanMapping {
   /// Takes one scan: its segments and the sensor's motion since the last one by odometry.
   /// @return whether a loop was closed: then the poses of earlier scans have changed
   bool step(std::span<const SensedSegment> segments, const Pose2& T_last_now);
+  /// The same with a motion of known noise.
+  bool step_by_motion(std::span<const SensedSegment> segments, const UncertainPose2& T_last_now);
 
   /// Of the latest scan, as known now.
   Pose2 T_map_sensor() const { return T_map_track_ * tracked_.back(); }
@@ -44,6 +46,7 @@ class ScanMapping {
   bool shows_axes() const;
 
  private:
+  bool keep(std::span<const SensedSegment> segments, const Pose2& T_track_sensor);
   bool submap_is_complete() const;
   bool close_submap();
 

@@ -20,7 +20,6 @@ constexpr int kAlignmentIterations = 6;
 constexpr double kDoubtful = 0.7;     // if less of the seen length fits, the odometry may be wrong
 constexpr double kDoubtful_m = 0.03;  // ... after a motion of at least this
 constexpr double kClearlyBetter = 0.15;
-constexpr double kSlightlyBetter = 0.02;
 constexpr double kRelocationSeen_m = 2;  // with less wall in sight, guessing is worse than doing nothing
 constexpr double kGuessReach_m = 0.3;    // an earlier scan may be this far from its guess ...
 constexpr double kGuessReach_rad = 3 * kDegree;
@@ -51,8 +50,6 @@ void TrackerParams::describe(FieldList& fields) {
   fields.real("lost_share", lost_share, {0, 1},
               "with less of the seen length fitting the walls, the pose is searched for");
   fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10}, "search radius around the predicted pose");
-  fields.flag("may_count_backwards", may_count_backwards,
-              "in some logs wheels count backwards for a while when driving forwards");
 }
 
 Pose2 relative_pose(const Keyframe& from, const Keyframe& to, double odometry_factor) {
@@ -69,6 +66,12 @@ ScanTracker::ScanTracker(const TrackerParams& params)
       scale_(params.motion.distance_scale) {}
 
 Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal) {
+  const Mat3 covariance = params_.motion.covariance(scale_.true_step(T_last_now));
+  return step_by_motion(segments, {T_last_now, covariance}, orthogonal);
+}
+
+Pose2 ScanTracker::step_by_motion(std::span<const SensedSegment> segments, const UncertainPose2& T_last_now,
+                                  bool orthogonal) {
   if (orthogonal_ && !orthogonal) trust_oblique_walls();
   Mat3 wall_information = Mat3::Zero();
   if (scan_ == 0) {
@@ -112,11 +115,11 @@ void ScanTracker::trust_oblique_walls() {
   aligner_ = PoseAligner(AlignmentParams::without_axes());
 }
 
-void ScanTracker::predict(const Pose2& T_last_now) {
+void ScanTracker::predict(const UncertainPose2& T_last_now) {
   T_track_last_ = T_track_sensor_.mean;
-  motion_ = scale_.true_step(T_last_now);
+  motion_ = scale_.true_step(T_last_now.mean);
   path_m_ += motion_.position().norm();
-  T_track_sensor_ = T_track_sensor_ * UncertainPose2{motion_, params_.motion.covariance(motion_)};
+  T_track_sensor_ = T_track_sensor_ * UncertainPose2{motion_, T_last_now.covariance};
   scale_.predict(T_track_last_, motion_, T_track_sensor_.covariance);
 }
 
@@ -181,26 +184,14 @@ CountedPath ScanTracker::path_to_walls() const {
   return {covariance * pull.by_factor, covariance * pull.counted_m};
 }
 
-/// Wheels may spin while the vehicle stands, or count backwards when driving forwards. Where the scan does
-/// not fit the odometry, both are tried as well. Counting backwards is believed as long as every scan
-/// supports it.
+/// Wheels may spin while the vehicle stands. Where the scan does not fit the odometry, that is tried as well.
 ScanTracker::Explanation ScanTracker::explain_motion(std::span<const SensedSegment> segments) {
   const Vec2 counted_m = motion_.position();
-  Explanation best = lay_from(segments, counted_m);
-  if (counted_m.norm() < kDoubtful_m) {
-    counts_backwards_ = false;
-  } else if (counts_backwards_ || best.alignment.fitting_share() < kDoubtful) {
-    const double needed =
-        best.alignment.fitting_share() + (counts_backwards_ ? kSlightlyBetter : kClearlyBetter);
-    const Explanation standing = lay_from(segments, Vec2::Zero());
-    if (params_.may_count_backwards) {
-      const Explanation mirrored = lay_from(segments, -counted_m);
-      counts_backwards_ = mirrored.alignment.fitting_share() > needed;
-      if (counts_backwards_) best = mirrored;
-    }
-    if (standing.alignment.fitting_share() > best.alignment.fitting_share() + kClearlyBetter) best = standing;
-  }
-  return best;
+  const Explanation as_counted = lay_from(segments, counted_m);
+  const double fitting_share = as_counted.alignment.fitting_share();
+  if (counted_m.norm() < kDoubtful_m || fitting_share >= kDoubtful) return as_counted;
+  const Explanation standing = lay_from(segments, Vec2::Zero());
+  return standing.alignment.fitting_share() > fitting_share + kClearlyBetter ? standing : as_counted;
 }
 
 ScanTracker::Explanation ScanTracker::lay_from(std::span<const SensedSegment> segments,

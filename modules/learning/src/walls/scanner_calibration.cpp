@@ -110,8 +110,8 @@ SampledMotion sample_motion(const LaserLog& log, std::optional<ScanBeams> beams)
     sample.T_first_laser.push_back(scans.T_first_laser());
     sample.information.push_back(motion.information);
     shares.push_back(motion.share);
-    turned_rad += std::abs(motion.T_last_now.theta);
-    moved_m += motion.T_last_now.position().norm();
+    turned_rad += std::abs(motion.T_last_now.mean.theta);
+    moved_m += motion.T_last_now.mean.position().norm();
     const std::size_t count = sample.times_s.size();
     if (count >= kScansMax || (count >= kScansMin && turned_rad > kEnoughTurn_rad && moved_m > kEnoughPath_m))
       break;

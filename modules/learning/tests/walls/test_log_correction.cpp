@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "pose_matchers.hpp"
@@ -135,6 +137,39 @@ TEST(LogCorrection, ReadingsThatRunClockwiseAreTakenTheOtherWayRound) {
   EXPECT_EQ(warning.where.line, truth.scans.front().line);
   expect_same_scans(log, truth);
   expect_same_odometry(log, truth, 0);
+}
+
+/// A vehicle that looks to both sides by turns, recorded by a scanner that measures its readings one after
+/// the other and begins with the last one.
+LaserLog log_of_reversed_sweeps() {
+  const auto looking_round = [](double time_s) {
+    const double heading_rad = 0.9 * std::sin(2 * time_s) + 0.7 * std::sin(1.27 * time_s);
+    return Pose2{5 + std::sin(0.3 * time_s), 2, heading_rad};
+  };
+  const RecordedDrive drive{.T_map_vehicle = looking_round};
+  LaserLog log = drive.log();
+  const double period_s = 0.09 / static_cast<double>(drive.beams);
+  for (LaserScan& scan : log.scans) {
+    scan.beams = ScanBeams{drive.laser.first_angle_rad, drive.laser.angle_step_rad, -period_s};
+    const double middle = 0.5 * static_cast<double>(drive.beams - 1);
+    for (std::size_t beam = 0; beam < drive.beams; ++beam) {
+      const double time_s = scan.time_s - period_s * (static_cast<double>(beam) - middle);
+      const Pose2 T_map_laser = drive.T_map_vehicle(std::max(0.0, time_s)) * drive.laser.T_vehicle_laser;
+      const Vec2 ray = unit(T_map_laser.theta + drive.laser.beam_angle(beam));
+      scan.ranges_m[beam] = static_cast<float>(cast_ray_m(drive.walls, T_map_laser.position(), ray));
+    }
+  }
+  return log;
+}
+
+TEST(LogCorrection, ReadingsMeasuredFromTheLastToTheFirstAreKnownByTheTurns) {
+  LaserLog log = log_of_reversed_sweeps();
+  const double period_s = log.scans.front().beams->period_s;
+  EXPECT_THAT(to_string(findings_in(log).warnings), IsEmpty());
+  EXPECT_EQ(log.scans.front().beams->period_s, period_s);
+  for (LaserScan& scan : log.scans) scan.beams->period_s = -period_s;
+  EXPECT_THAT(only_warning(log).what, HasSubstr("was measured first"));
+  EXPECT_EQ(log.scans.front().beams->period_s, period_s);
 }
 
 TEST(LogCorrection, AMountingFarOffIsFound) {

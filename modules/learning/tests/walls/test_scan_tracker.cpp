@@ -58,11 +58,15 @@ TEST(ScanTracker, FollowsADriveThroughARoomDespitePoorOdometry) {
   EXPECT_THAT(last, PoseNear(curve().back(), 0.02, 0.01));
 }
 
-TEST(ScanTracker, FollowsWhereWheelsCountBackwardsIfTheyMay) {
-  const auto backwards = [](Pose2 motion) { return Pose2{-motion.x, -motion.y, motion.theta}; };
-  EXPECT_THAT(follow(curve(), backwards), PoseNear(curve().back(), 0.02, 0.01));
-  const Pose2 last = follow(curve(), backwards, true, {.may_count_backwards = false});
-  EXPECT_THAT(last, testing::Not(PoseNear(curve().back(), 0.1, 0.01)));
+TEST(ScanTracker, AMotionThatIsKnownBetterIsBelievedMore) {
+  const auto pose_after = [](double sigma_m) {
+    ScanTracker tracker(TrackerParams{});
+    tracker.step(view_from({}), {}, true);
+    const Mat3 covariance = about({}, sigma_m, 0.001).covariance;
+    return tracker.step_by_motion(view_from({0.5, 0, 0}), UncertainPose2{{0.45, 0, 0}, covariance}, true);
+  };
+  EXPECT_NEAR(pose_after(0.1).x, 0.5, 0.01);
+  EXPECT_NEAR(pose_after(0.0005).x, 0.45, 0.01);
 }
 
 TEST(ScanTracker, StaysWhereOnlyTheWheelsSpin) {

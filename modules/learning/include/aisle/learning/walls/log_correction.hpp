@@ -23,8 +23,8 @@ struct LogFindings {
 
 /// Compares the scans of a log with its odometry, and corrects what they show to be otherwise: readings that
 /// run the other way round, other beam angles, a scanner that sits elsewhere by more than 10 cm or 10
-/// degrees, odometry on another clock, odometry that is missing, stands still or leaps. Each correction is a
-/// warning with the line of the recording. A log that agrees with itself stays as it is.
+/// degrees, odometry on another clock, odometry that is missing or never moves. Each correction is a warning
+/// with the line of the recording. A log that agrees with itself stays as it is.
 /// @return the warnings; problems if there is no odometry and the scans are too far apart to replace it
 Result<LogFindings> correct_log(LaserLog& log, const OpenOfLog& open, Progress& progress);
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "aisle/core/problem.hpp"
 #include "aisle/core/progress.hpp"
 #include "aisle/learning/walls/loop_params.hpp"
 #include "aisle/learning/walls/scan_tracker.hpp"
@@ -19,7 +20,7 @@ struct MapParams {
   TrackerParams tracker;
   LoopParams loops;
   double dominant_share_min =
-      0.3;  ///< share of scans whose walls give a heading; with fewer, the building has no dominant direction
+      0.2;  ///< share of scans whose walls give a heading; with fewer, the building has no dominant direction
   int adjustment_rounds = 4;
   double drawn_length_m = 0.5;  ///< shorter walls are learned but not drawn
   int drawn_sightings = 3;      ///< nor are walls seen on fewer half-metre legs of the path
@@ -45,6 +46,7 @@ struct MapResult {
       loop_closures;  ///< scans that show the same place: (older, newer)
   double path_m = 0;
   double odometry_delay_s = 0;
+  Problems warnings;      ///< where the odometry was not believed, with the line of the recording
   Pose2 T_vehicle_laser;  ///< of the first scanner: as given or as found
   bool has_dominant_direction = false;
   std::vector<MapStage> stages;  ///< filled if `keep_stages`
@@ -53,8 +55,9 @@ struct MapResult {
 /// What is known of a log beyond its content; what is not is estimated from it.
 struct KnownOfLog {
   std::optional<double> odometry_delay_s;
-  double guessed_delay_s = 0;  ///< of the odometry, where the walls do not show it
-  bool mounting = true;        ///< LaserLog::laser().T_vehicle_laser is where the scanner sits
+  double guessed_delay_s = 0;   ///< of the odometry, where the walls do not show it
+  bool mounting = true;         ///< LaserLog::laser().T_vehicle_laser is where the scanner sits
+  bool odometry_noise = false;  ///< the odometry has no more noise than TrackerParams::motion says
 };
 
 /// Builds a wall map from a log with at least one scan and one odometry sample. The steps: extract segments

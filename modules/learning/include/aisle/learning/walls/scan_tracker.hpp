@@ -22,7 +22,6 @@ struct TrackerParams {
   double keyframe_rad = 8 * kDegree;
   double lost_share = 0.55;  ///< if less of the seen length fits, the pose is searched for
   double relocation_reach_m = 1.2;
-  bool may_count_backwards = true;  ///< in some logs wheels do so for a while when driving forwards
 
   void describe(FieldList& fields);
 };
@@ -51,6 +50,9 @@ class ScanTracker {
   /// Returns the sensor's pose in `track`. With `orthogonal` false the building has no dominant direction: no
   /// wall is taken to lie on an axis.
   Pose2 step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal);
+  /// The same with a motion whose noise is known better than `TrackerParams::motion` says.
+  Pose2 step_by_motion(std::span<const SensedSegment> segments, const UncertainPose2& T_last_now,
+                       bool orthogonal);
 
   /// Fits an earlier scan to the walls of the last segment of path, near a guess; nullopt if too little of it
   /// fits.
@@ -72,7 +74,7 @@ class ScanTracker {
   };
 
   void trust_oblique_walls();
-  void predict(const Pose2& T_last_now);
+  void predict(const UncertainPose2& T_last_now);
   void correct_heading(std::span<const SensedSegment> segments);
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);
   Explanation explain_motion(std::span<const SensedSegment> segments);
@@ -98,10 +100,9 @@ class ScanTracker {
   std::size_t scan_ = 0;
   double path_m_ = 0;
   std::size_t headings_used_ = 0;
-  Pose2 T_sensor_suspected_;       ///< where the latest scans fit better ...
-  double suspected_since_m_ = 0;   ///< ... since this path length ...
-  int suspected_scans_ = 0;        ///< ... this many in a row
-  bool counts_backwards_ = false;  ///< the odometry counts the path with the wrong sign
+  Pose2 T_sensor_suspected_;      ///< where the latest scans fit better ...
+  double suspected_since_m_ = 0;  ///< ... since this path length ...
+  int suspected_scans_ = 0;       ///< ... this many in a row
   bool relocated_ = false;
   bool orthogonal_ = true;
 };
