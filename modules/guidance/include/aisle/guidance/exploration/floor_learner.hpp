@@ -12,8 +12,8 @@
 namespace aisle {
 
 struct FloorLearnerParams {
-  /// Same wall: a door's leaf stands 11 cm behind its wall. Drawn walls: those of a room seen through its door
-  /// are visible along a short path only.
+  /// Same wall: a door's leaf stands 11 cm behind its wall. Drawn walls: those of a room seen through its
+  /// door are visible along a short path only.
   MapParams mapping{
       .tracker{.motion = kReadEveryCycle, .same_wall_m = 0.06}, .drawn_length_m = 0.3, .drawn_sightings = 2};
   FloorViewParams view;
