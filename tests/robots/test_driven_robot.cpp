@@ -74,8 +74,7 @@ TEST_F(DrivenRobot, IsFoundCheckedTriedAndExploresInFourCommands) {
   ASSERT_EQ(written.exit_code, 0) << written.err;
   const ProgramRun checked = run_aisle({"connect", "check", "--connect", connection(), "--json"});
   ASSERT_EQ(checked.exit_code, 0) << checked.err;
-  EXPECT_NEAR(checked.json()["figures"]["scanner"]["x_m"], ready["laser"]["x_m"].get<double>(),
-              1e-3);
+  EXPECT_NEAR(checked.json()["figures"]["scanner"]["x_m"], ready["laser"]["x_m"].get<double>(), 1e-3);
   const ProgramRun tried = run_aisle({"connect", "try", "--connect", connection(), "--json"});
   ASSERT_EQ(tried.exit_code, 0) << tried.out << tried.err;
   EXPECT_TRUE(tried.json()["figures"]["stops_by_itself"]);
@@ -95,8 +94,8 @@ TEST_F(DrivenRobot, IsFoundCheckedTriedAndExploresInFourCommands) {
 TEST_F(DrivenRobot, AFrontSteeredOneExploresAsWell) {
   RunningRobot robot(robot_arguments({"--drive", "front-steered", "--command", "ackermann"}));
   const nlohmann::json ready = robot.wait_until_ready();
-  const ProgramRun written = init(ready, {"--front-steered", "--wheelbase",
-                                          fmt::format("{}", ready["wheelbase_m"].get<double>())});
+  const ProgramRun written =
+      init(ready, {"--front-steered", "--wheelbase", fmt::format("{}", ready["wheelbase_m"].get<double>())});
   ASSERT_EQ(written.exit_code, 0) << written.err;
   const ProgramRun explored = run_aisle({"explore", "--connect", connection(), "--json"});
   EXPECT_EQ(explored.exit_code, 0) << explored.out << explored.err;

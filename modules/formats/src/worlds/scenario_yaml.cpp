@@ -7,8 +7,8 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "file_limits.hpp"
-#include "worlds/scenario_fields.hpp"
 #include "object_reader.hpp"
+#include "worlds/scenario_fields.hpp"
 
 namespace aisle {
 namespace {
