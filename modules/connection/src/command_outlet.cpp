@@ -8,6 +8,7 @@
 namespace aisle {
 namespace {
 
+constexpr double kGainedOver_s = 0.25;  // simulators may run faster than commands are sent
 constexpr auto kPeriod = std::chrono::duration<double>(CommandOutlet::kPeriod_s);
 
 /// From one value towards another: away from 0 by at most `step`, towards 0 at once.
@@ -96,7 +97,7 @@ Command CommandOutlet::present(double now_s) {
     wanted_ = {};
   }
   const DriveLimits& limits = vehicle_.limits;
-  const double since_s = std::clamp(now_s - sent_at_s_, 0.0, kPeriod_s);
+  const double since_s = std::clamp(now_s - sent_at_s_, 0.0, kGainedOver_s);
   return {
       gained(sent_.speed_mps, wanted_.speed_mps, limits.acceleration_max_mps2 * since_s),
       wanted_.steering_rad,

@@ -187,7 +187,7 @@ void RobotIntake::take_scan(const ros::LaserScan& message) {
   }
   state_.newest_scan_s = stamp_s;
   state_.scan_arrived_s = now_s();
-  state_.scan_pace.take(clock_.now_s(), age_s(stamp_s));
+  state_.scan_pace.take(now_s(), age_s(stamp_s));
   state_.scans.push_back(std::move(*scan));
   if (state_.scans.size() > kScansWaiting) {
     state_.scans.pop_front();
@@ -275,7 +275,7 @@ void RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
       break;
   }
   state_.odometry_arrived_s = now;
-  state_.odometry_pace.take(clock_.now_s(), age_s(stamp_s));
+  state_.odometry_pace.take(now_s(), age_s(stamp_s));
 }
 
 ros::Stamp_ns RobotIntake::stamp_of(const ros::Header& header) const {

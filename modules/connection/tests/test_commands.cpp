@@ -56,7 +56,7 @@ TEST_F(CommandOutletTest, GetsFasterWithinTheLimitsAndSlowerAtOnce) {
   clock.move(1);
   outlet->act({.speed_mps = 0.4});
   sent->wait_for_newest([](const std::string& m) { return twist_in(m).linear.x > 0; });
-  EXPECT_LE(twist_in(sent->all().back()).linear.x, 0.5 * CommandOutlet::kPeriod_s + 1e-9);
+  EXPECT_LE(twist_in(sent->all().back()).linear.x, 0.5 * 0.25 + 1e-9) << "of at most a quarter of a second";
   outlet->act({.speed_mps = 0});
   sent->wait_for_newest(is_stop);
 }
