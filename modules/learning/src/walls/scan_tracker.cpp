@@ -187,7 +187,7 @@ CountedPath ScanTracker::path_to_walls() const {
 /// Wheels may spin while the vehicle stands. Where the scan does not fit the odometry, that is tried as well.
 ScanTracker::Explanation ScanTracker::explain_motion(std::span<const SensedSegment> segments) {
   const Vec2 counted_m = motion_.position();
-  const Explanation as_counted = lay_from(segments, counted_m);
+  Explanation as_counted = lay_from(segments, counted_m);
   const double fitting_share = as_counted.alignment.fitting_share();
   if (counted_m.norm() < kDoubtful_m || fitting_share >= kDoubtful) return as_counted;
   const Explanation standing = lay_from(segments, Vec2::Zero());
