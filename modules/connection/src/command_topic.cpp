@@ -21,6 +21,7 @@ std::set<std::string> types_at(const std::vector<WireEndpoint>& endpoints, const
 
 std::string known_types() {
   std::vector<std::string> types;
+  types.reserve(kCommandKinds.size());
   for (const CommandKind kind : kCommandKinds) types.push_back(command_type(kind));
   return fmt::format("{}", fmt::join(types, ", "));
 }

@@ -51,10 +51,12 @@ class Fitting {
     const double first = place_of(from.angle_rad);
     const double last = first + wrap_angle(to.angle_rad - from.angle_rad) / grid_.scanner.angle_step_rad;
     const Vec2 along = to.p_laser - from.p_laser;
-    for (double place = std::ceil(first); place <= last; ++place) {
-      const Vec2 beam = unit(grid_.scanner.first_angle_rad + grid_.scanner.angle_step_rad * place);
+    const auto end = static_cast<long>(std::floor(last));
+    for (auto place = static_cast<long>(std::ceil(first)); place <= end; ++place) {
+      const double beams = static_cast<double>(place);
+      const Vec2 beam = unit(grid_.scanner.first_angle_rad + grid_.scanner.angle_step_rad * beams);
       const double across = cross(beam, along);
-      if (std::abs(across) > 1e-9) set(wrapped(place), cross(from.p_laser, along) / across);
+      if (std::abs(across) > 1e-9) set(wrapped(beams), cross(from.p_laser, along) / across);
     }
   }
 
