@@ -6,22 +6,6 @@
 #include "aisle/formats/sessions/cdr.hpp"
 
 namespace aisle {
-namespace {
-
-/// Speed and turn rate of base_link.
-ros::Twist twist_of(const Command& command, const VehicleDescription& vehicle) {
-  ros::Twist twist;
-  if (vehicle.is_differential) {
-    twist.linear.x = command.speed_mps;
-    twist.angular.z = command.turn_rate_rad_s;
-  } else {
-    twist.linear.x = command.speed_mps * std::cos(command.steering_rad);
-    twist.angular.z = command.speed_mps * std::sin(command.steering_rad) / vehicle.front_steered.wheelbase_m;
-  }
-  return twist;
-}
-
-}  // namespace
 
 std::string command_type(CommandKind kind) {
   if (kind == CommandKind::kAckermann) return ros::AckermannDriveStamped::kType;
@@ -44,10 +28,18 @@ Command within(const DriveLimits& limits, const Command& command) {
           std::clamp(command.turn_rate_rad_s, -limits.turn_rate_max_rad_s, limits.turn_rate_max_rad_s)};
 }
 
+Arc rates_of(const Command& command, const VehicleDescription& vehicle) {
+  if (vehicle.is_differential) return {command.speed_mps, command.turn_rate_rad_s};
+  return arc_of(vehicle.front_steered, {command.speed_mps, command.steering_rad});
+}
+
 std::string command_cdr(const Command& command, CommandKind kind, const VehicleDescription& vehicle,
                         ros::Stamp_ns stamp, const std::string& frame) {
   const ros::Header header{ros::time_of(stamp), frame};
-  const ros::Twist twist = twist_of(command, vehicle);
+  const Arc rates = rates_of(command, vehicle);
+  ros::Twist twist;
+  twist.linear.x = rates.length_m;
+  twist.angular.z = rates.turn_rad;
   if (kind == CommandKind::kTwist) return cdr_bytes(twist);
   if (kind == CommandKind::kTwistStamped) return cdr_bytes(ros::TwistStamped{header, twist});
   ros::AckermannDriveStamped drive{header, {}};

@@ -8,6 +8,7 @@
 
 #include "aisle/formats/connections/connection_file.hpp"
 #include "aisle/formats/sessions/ros_time.hpp"
+#include "aisle/vehicle/arc.hpp"
 #include "aisle/vehicle/command.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
@@ -25,6 +26,9 @@ std::optional<CommandKind> command_kind(std::string_view type);
 
 /// The command within the vehicle's limits; a value that is not finite means: stop.
 Command within(const DriveLimits& limits, const Command& command);
+
+/// What base_link does in a second under a command.
+Arc rates_of(const Command& command, const VehicleDescription& vehicle);
 
 /// @param kind   not kAuto
 /// @param stamp  for the kinds that have one

@@ -85,9 +85,22 @@ void CommandOutlet::run() {
 /// Sends under the lock: the publisher's calls stay in order.
 void CommandOutlet::send() {
   const double now_s = now_s_();
+  add_commanded(now_s);
   sent_ = present(now_s);
   sent_at_s_ = now_s;
   publisher_->publish(command_cdr(sent_, settings_.kind, vehicle_, stamp_(), settings_.frame));
+}
+
+void CommandOutlet::add_commanded(double now_s) {
+  const Arc rates = rates_of(sent_, vehicle_);
+  const double since_s = std::max(0.0, now_s - sent_at_s_);
+  commanded_ = {commanded_.length_m + rates.length_m * since_s,
+                commanded_.turn_rad + rates.turn_rad * since_s};
+}
+
+Arc CommandOutlet::commanded() {
+  const std::lock_guard lock(mutex_);
+  return commanded_;
 }
 
 Command CommandOutlet::present(double now_s) {

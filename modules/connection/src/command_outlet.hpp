@@ -43,12 +43,15 @@ class CommandOutlet {
   /// While silent, nothing is sent but the stops at the end.
   void fall_silent(bool is_silent);
 
+  /// What was commanded so far: the commands that were sent, each for as long as it was the latest.
+  Arc commanded();
   /// How often a stop replaced a command that had become too old while the vehicle was moving.
   std::size_t aged() const { return aged_; }
 
  private:
   void run();
   void send();
+  void add_commanded(double now_s);
   Command present(double now_s);
 
   std::unique_ptr<WirePublisher> publisher_;
@@ -63,6 +66,7 @@ class CommandOutlet {
   Command sent_;
   double wanted_at_s_ = 0;
   double sent_at_s_ = 0;
+  Arc commanded_;
   bool is_held_ = false;
   bool is_silent_ = false;
   bool is_over_ = false;

@@ -57,6 +57,7 @@ class ConnectedVehicle::Cycle {
   }
 
   void fall_silent(bool is_silent) { outlet_.fall_silent(is_silent); }
+  Arc commanded() { return outlet_.commanded(); }
 
   std::optional<Observation> sense() {
     for (;;) {
@@ -269,6 +270,10 @@ void ConnectedVehicle::fall_silent(bool is_silent) {
 
 const ConnectedVehicle::Odometry& ConnectedVehicle::odometry() const {
   return cycle_->odometry();
+}
+
+Arc ConnectedVehicle::commanded() const {
+  return cycle_->commanded();
 }
 
 ConnectionCounts ConnectedVehicle::counts() const {

@@ -122,17 +122,9 @@ double duration_s(const Move& move) {
                                      : kTurn_rad / std::abs(move.command.turn_rate_rad_s);
 }
 
-/// Where the command leads, with the time that getting faster takes.
-Pose2 commanded_by(const Move& move, const VehicleDescription& vehicle) {
-  const DriveLimits& limits = vehicle.limits;
-  const Command& command = move.command;
-  const auto way = [&](double rate, double rate_gain) {
-    return rate * (duration_s(move) - std::abs(rate) / rate_gain / 2);
-  };
-  const double along = way(command.speed_mps, limits.acceleration_max_mps2);
-  if (vehicle.is_differential)
-    return end_pose({along, way(command.turn_rate_rad_s, limits.turn_acceleration_max_rad_s2)});
-  return drive(vehicle.front_steered, FrontSteeredMotion{along, command.steering_rad});
+/// What was commanded from one moment to another.
+Pose2 commanded_between(const Arc& from, const Arc& to) {
+  return end_pose({to.length_m - from.length_m, to.turn_rad - from.turn_rad});
 }
 
 std::string amount(double value, bool is_turn) {
@@ -189,8 +181,9 @@ Result<RobotTry> try_robot(ConnectedVehicle& vehicle) {
   const std::vector<Move> moves = moves_of(description);
   for (const Move& move : moves) {
     const Pose2 T_odometry = trial.by_odometry(), T_scans = trial.by_scans();
+    const Arc before = vehicle.commanded();
     if (!trial.drive(move.command, duration_s(move)) || !trial.drive({}, kSettle_s)) return ended();
-    result.moves.push_back({move.name, commanded_by(move, description),
+    result.moves.push_back({move.name, commanded_between(before, vehicle.commanded()),
                             between(T_odometry, trial.by_odometry()), between(T_scans, trial.by_scans())});
     judge_move(result.moves.back(), move.is_turn, result.problems);
     if (!result.problems.empty()) return result;  // what goes wrong once is not tried again

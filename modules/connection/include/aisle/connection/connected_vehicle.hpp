@@ -10,6 +10,7 @@
 #include "aisle/core/result.hpp"
 #include "aisle/formats/connections/connection_file.hpp"
 #include "aisle/formats/sessions/ros_time.hpp"
+#include "aisle/vehicle/arc.hpp"
 #include "aisle/vehicle/vehicle.hpp"
 #include "aisle/wire/wire.hpp"
 
@@ -59,6 +60,9 @@ class ConnectedVehicle final : public Vehicle {
     Pose2 T_odom_vehicle;
   };
   const Odometry& odometry() const;
+
+  /// What was commanded so far, by the times at which commands were sent.
+  Arc commanded() const;
 
   ConnectionCounts counts() const;
 
