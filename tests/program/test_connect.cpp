@@ -33,8 +33,8 @@ TEST_F(Connect, ACheckNamesAllThatIsMissing) {
 TEST_F(Connect, AnInterfaceThatIsNotOfThisMachineIsRefused) {
   const ProgramRun run = run_aisle({"connect", "list", "--interface", "192.0.2.1", "--seconds", "0.5"});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err,
-              AllOf(HasSubstr("192.0.2.1"), HasSubstr("not an address of this machine"), HasSubstr("127.0.0.1")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("192.0.2.1"), HasSubstr("not an address of this machine"),
+                             HasSubstr("127.0.0.1")));
 }
 
 TEST_F(Connect, InitAsksForWhatItCannotKnow) {
