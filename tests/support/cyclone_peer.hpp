@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "cyclone_raw_type.hpp"
+#include "ros/byte_topic.hpp"
 #include "waiting.hpp"
 
 namespace aisle {
@@ -75,7 +75,10 @@ class CycloneWriter {
       : writer_(dds_create_writer(participant, topic, cyclone::qos(quality).get(), nullptr)) {}
 
   /// @param message with its bytes of encapsulation
-  void write(std::string_view message) { cyclone::checked(dds_write(writer_.get(), &message)); }
+  void write(std::string_view message) {
+    const std::string sample(message);
+    cyclone::checked(dds_write(writer_.get(), &sample));
+  }
 
   std::size_t readers() const {
     dds_publication_matched_status_t status;
@@ -116,11 +119,11 @@ class CycloneReader {
 
  private:
   static void take_all(dds_entity_t reader, Inbox& inbox) {
-    ddsi_serdata* data = nullptr;
+    std::string message;
+    void* sample = &message;
     dds_sample_info_t info;
-    while (dds_takecdr(reader, &data, 1, &info, DDS_ANY_STATE) > 0) {
-      if (info.valid_data) inbox.put(cyclone::bytes_of(data));
-      ddsi_serdata_unref(data);
+    while (dds_take(reader, &sample, &info, 1, 1) > 0) {
+      if (info.valid_data) inbox.put(message);
     }
   }
 
@@ -143,13 +146,13 @@ class CyclonePeer {
   /// @param topic, type  as DDS says them: "rt/scan", "sensor_msgs::msg::dds_::LaserScan_"
   CycloneWriter writer(const std::string& topic, const std::string& type,
                        const CycloneQuality& quality = {}) {
-    return {participant_.get(),
-            cyclone::checked(cyclone::raw_topic(participant_.get(), topic.c_str(), type.c_str())), quality};
+    return {participant_.get(), cyclone::checked(robots::create_byte_topic(participant_.get(), topic, type)),
+            quality};
   }
   CycloneReader reader(const std::string& topic, const std::string& type,
                        const CycloneQuality& quality = {}) {
-    return {participant_.get(),
-            cyclone::checked(cyclone::raw_topic(participant_.get(), topic.c_str(), type.c_str())), quality};
+    return {participant_.get(), cyclone::checked(robots::create_byte_topic(participant_.get(), topic, type)),
+            quality};
   }
 
   /// As if the program was killed: it neither says nor hears anything any more.
