@@ -13,7 +13,7 @@ void add_network_options(CLI::App& verb, ConnectOptions& options) {
   verb.add_option("--domain", network.domain, "ROS domain (default 0)")->check(CLI::Range(0, 101));
   verb.add_option("--interface", network.interface_address,
                   "address of this machine to listen on (default 127.0.0.1: this machine alone)");
-  verb.add_option("--peer", network.peers, "address to look for the robot at (default 127.0.0.1)");
+  verb.add_option("--peer", network.peers, "IPv4 address to look for the robot at (default 127.0.0.1)");
   verb.add_flag("--multicast", network.multicast, "also announce aisle to robots that look for no peers");
 }
 
@@ -38,8 +38,10 @@ using Run = Result<Outcome> (*)(const ConnectOptions&, Console&);
 void add_looking_verb(CLI::App& connect, Work& work, const char* name, const char* meaning, Run run) {
   CLI::App* verb = add_below(connect, name, meaning);
   auto options = std::make_shared<ConnectOptions>();
-  add_connection(*verb, *options);
+  CLI::Option* const connection = add_connection(*verb, *options);
   add_network_options(*verb, *options);
+  for (const char* setting : {"--domain", "--interface", "--peer", "--multicast"})
+    connection->excludes(verb->get_option(setting));  // the file says them
   add_seconds(*verb, *options);
   verb->callback(
       [options, run, &work] { work = [options, run](Console& console) { return run(*options, console); }; });

@@ -68,33 +68,17 @@ std::string topics_text(const std::vector<SurveyedTopic>& topics, const Connecte
   return text;
 }
 
-Result<ConnectedNetwork> network_of(const ConnectOptions& options) {
-  if (options.connection.empty()) return options.network;
-  auto connection = read_connection(options.connection);
-  if (!connection) return connection.problems();
-  return std::move(connection->network);
+/// The connection of the file, else one that names the network alone.
+Result<Connection> connection_of(const ConnectOptions& options) {
+  if (options.connection.empty()) return Connection{.network = options.network};
+  return read_connection(options.connection);
 }
 
-/// What to connect to, and as what vehicle.
-struct Plan {
-  Connection connection;
+/// For what is checked without a file, any vehicle is as good.
+VehicleDescription any_vehicle() {
   VehicleDescription vehicle;
-};
-
-Result<Plan> plan_of(const ConnectOptions& options, const std::vector<SurveyedTopic>& topics,
-                     Problems& warnings) {
-  if (!options.connection.empty()) {
-    auto connection = read_connection(options.connection);
-    if (!connection) return connection.problems();
-    auto vehicle = vehicle_of(*connection);
-    if (!vehicle) return vehicle.problems();
-    return Plan{std::move(*connection), std::move(*vehicle)};
-  }
-  auto connection = suggested_connection(topics, {.network = options.network}, warnings);
-  if (!connection) return connection.problems();
-  Plan plan{std::move(*connection), {}};
-  plan.vehicle.is_differential = true;  // for what is checked, any vehicle is as good
-  return plan;
+  vehicle.is_differential = true;
+  return vehicle;
 }
 
 nlohmann::ordered_json pace_json(const TopicPace& pace) {
@@ -174,7 +158,8 @@ Outcome outcome_of(const RobotTry& tried) {
   return outcome;
 }
 
-Result<VehicleDescription> new_vehicle(const ConnectInitOptions& options) {
+/// The text of a vehicle file, which is as the reader wants it.
+Result<std::string> new_vehicle(const ConnectInitOptions& options) {
   if (!options.footprint)
     return Problem{
         {"connect init"},
@@ -193,32 +178,38 @@ Result<VehicleDescription> new_vehicle(const ConnectInitOptions& options) {
   } else {
     return Problem{{"connect init"}, "a front-steered robot needs its '--wheelbase' in metres"};
   }
-  return vehicle;
+  std::string text = vehicle_yaml(vehicle);
+  if (auto read = parse_vehicle(text, "the new vehicle file"); !read) return read.problems();
+  return text;
 }
 
 }  // namespace
 
 Result<Outcome> run_connect_list(const ConnectOptions& options, Console& console) {
-  const auto network = network_of(options);
-  if (!network) return network.problems();
-  const auto around = look_around(*network, options.listen_s, console.progress);
+  const auto connection = connection_of(options);
+  if (!connection) return connection.problems();
+  const ConnectedNetwork& network = connection->network;
+  const auto around = look_around(network, options.listen_s, console.progress);
   if (!around) return around.problems();
   Outcome outcome{.verb = "connect list", .ok = !around->topics.empty()};
-  outcome.figures = {{"domain", network->domain}, {"topics", topics_json(around->topics)}};
-  outcome.text = topics_text(around->topics, *network);
+  outcome.figures = {{"domain", network.domain}, {"topics", topics_json(around->topics)}};
+  outcome.text = topics_text(around->topics, network);
   return outcome;
 }
 
 Result<Outcome> run_connect_check(const ConnectOptions& options, Console& console) {
-  const auto network = network_of(options);
-  if (!network) return network.problems();
-  const auto around = look_around(*network, options.listen_s, console.progress);
+  const bool has_file = !options.connection.empty();
+  auto connection = connection_of(options);
+  if (!connection) return connection.problems();
+  const auto vehicle = has_file ? vehicle_of(*connection) : any_vehicle();
+  if (!vehicle) return vehicle.problems();
+  const auto around = look_around(connection->network, options.listen_s, console.progress);
   if (!around) return around.problems();
   Problems warnings;
-  const auto plan = plan_of(options, around->topics, warnings);
-  if (!plan) return plan.problems();
+  if (!has_file) connection = suggested_connection(around->topics, std::move(*connection), warnings);
+  if (!connection) return connection.problems();
   const SteadyClock clock;
-  const auto check = check_robot(plan->connection, plan->vehicle,
+  const auto check = check_robot(*connection, *vehicle,
                                  {*around->wire, clock, console.progress, console.warn}, options.listen_s);
   if (!check) return check.problems();
   warnings.insert(warnings.end(), check->warnings.begin(), check->warnings.end());
@@ -241,33 +232,34 @@ Result<Outcome> run_connect_try(const ConnectOptions& options, Console& console)
 }
 
 Result<Outcome> run_connect_init(const ConnectInitOptions& options, Console& console) {
-  const bool has_vehicle = !options.vehicle.empty();
-  const std::string vehicle_file = options.out.stem().string() + "-vehicle.yaml";
-  std::optional<VehicleDescription> made;
-  if (!has_vehicle) {
-    auto vehicle = new_vehicle(options);
-    if (!vehicle) return vehicle.problems();
-    made = std::move(*vehicle);
-  }
   const std::string file = options.out.filename().string();
+  const std::string vehicle_file = options.out.stem().string() + "-vehicle.yaml";
+  std::vector<OutputFile> files;
+  Connection known{.file = options.out.string(), .vehicle = options.vehicle, .network = options.find.network};
+  if (!options.vehicle.empty()) {
+    if (const auto vehicle = vehicle_of(known); !vehicle) return vehicle.problems();
+  } else {
+    auto text = new_vehicle(options);
+    if (!text) return text.problems();
+    files.push_back({"vehicle", vehicle_file, std::move(*text)});
+    known.vehicle = vehicle_file;
+  }
+  std::vector<std::string> names{file};
+  for (const OutputFile& made : files) names.push_back(made.name);
   auto directory = OutputDirectory::open(
       options.out.has_parent_path() ? options.out.parent_path() : std::filesystem::path("."), options.force,
-      made ? std::vector<std::string>{file, vehicle_file} : std::vector<std::string>{file});
+      names);
   if (!directory) return directory.problems();
   const auto around = look_around(options.find.network, options.find.listen_s, console.progress);
   if (!around) return around.problems();
   Problems warnings;
-  auto connection = suggested_connection(around->topics, {.network = options.find.network}, warnings);
+  const auto connection = suggested_connection(around->topics, std::move(known), warnings);
   if (!connection) {
     Problems problems = connection.problems();
     problems.back().what += "; " + topics_text(around->topics, options.find.network);
     return problems;
   }
-  connection->vehicle = has_vehicle ? options.vehicle : vehicle_file;
-  if (auto known = has_vehicle ? vehicle_of(*connection) : Result<VehicleDescription>(*made); !known)
-    return known.problems();
-  std::vector<OutputFile> files{{"connection", file, connection_yaml(*connection)}};
-  if (made) files.push_back({"vehicle", vehicle_file, vehicle_yaml(*made)});
+  files.push_back({"connection", file, connection_yaml(*connection)});
   auto written = directory->write(files);
   if (!written) return written.problems();
   warn_of(warnings, console);
