@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 4> kKinds = {"auto", "twist", "twist_stam
 
 ObjectFields fields_of(ConnectedNetwork& network) {
   return {field::count("domain", network.domain, {0, kDomainMax}),
-          needed(field::text("interface", network.interface_address)),
-          field::flag("multicast", network.multicast), field::text("namespace", network.name_space)};
+          field::text("interface", network.interface_address), field::flag("multicast", network.multicast),
+          field::text("namespace", network.name_space)};
 }
 
 ObjectFields fields_of(ConnectedFrames& frames) {

@@ -26,6 +26,17 @@ TEST(ConnectionFile, AVehicleIsEnough) {
   EXPECT_EQ(connection->network.interface_address, "127.0.0.1");
 }
 
+TEST(ConnectionFile, EveryPartMayBeGivenInPart) {
+  const auto connection = parse_connection(std::string(kConnectionHead) +
+                                               "network: {domain: 3}\nframes: {base: b}\nscan: {topic: s}\n"
+                                               "odometry: {from: tf}\nbattery: {topic: b}\n"
+                                               "command: {type: twist}\nlimits: {speed_max_mps: 0.2}\n",
+                                           "robot.yaml");
+  ASSERT_TRUE(connection.ok()) << to_string(connection.problems());
+  EXPECT_EQ(connection->network.domain, 3);
+  EXPECT_EQ(connection->network.interface_address, "127.0.0.1");
+}
+
 TEST(ConnectionFile, WhatIsWrittenIsReadAgain) {
   Connection connection = *parse_connection(kConnectionHead, "robot.yaml");
   connection.network = {7, "192.168.1.5", {"192.168.1.9", "robot.local"}, true, "/j100"};

@@ -15,7 +15,7 @@ namespace aisle {
 struct ConnectedNetwork {
   int domain = 0;                               ///< ROS_DOMAIN_ID
   std::string interface_address = "127.0.0.1";  ///< of this machine; nothing else is listened on
-  std::vector<std::string> peers{"127.0.0.1"};  ///< where the robot is looked for
+  std::vector<std::string> peers{"127.0.0.1"};  ///< IPv4, where the robot is looked for
   bool multicast = false;                       ///< also announces itself to robots that look for no peers
   std::string name_space;                       ///< in front of every topic's name that has no slash in front
 };
