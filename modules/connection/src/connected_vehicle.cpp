@@ -90,13 +90,9 @@ class ConnectedVehicle::Cycle {
     return intake_->now_s();
   }
 
-  /// The robot's present time: its newest stamp carried on by aisle's clock.
   ros::Stamp_ns stamp_now() const {
     const auto lock = intake_->lock();
-    const RobotState& state = intake_->state();
-    const double newest_s = std::max(state.newest_scan_s.value_or(0), state.trail.newest_s());
-    const double since_s = intake_->now_s() - std::max(state.scan_arrived_s, state.odometry_arrived_s);
-    return ros::stamp_ns(std::max(0.0, newest_s + std::max(0.0, since_s)));
+    return ros::stamp_ns(intake_->robot_time_s());
   }
 
   /// Looks seldom, without the intake's lock: the wire has locks of its own.

@@ -19,7 +19,7 @@ constexpr double kStepMax_rad = 45 * kDegree;
 constexpr double kLevel = 0.98;         // cosine of about 11 degrees
 constexpr double kUnknownRange_m = 30;  // of a scanner that does not say it
 
-/// "it has: /lidar (sensor_msgs/msg/LaserScan), ..." of one kind.
+/// "/lidar (sensor_msgs/msg/LaserScan), /odom (nav_msgs/msg/Odometry)"
 std::string published(const std::vector<WireEndpoint>& endpoints) {
   std::vector<std::string> texts;
   for (const WireEndpoint& endpoint : endpoints) {

@@ -30,12 +30,10 @@ void judge_pace(RobotCheck& check, const std::string& topic, const TopicPace& pa
 
 void judge_clock(RobotCheck& check, const std::string& topic, const TopicPace& pace) {
   if (std::abs(pace.age_min_s) > kClockOffset_s)
-    warn(
-        check, topic,
-        fmt::format("its stamps are {:.2f} s {} this machine's clock: commands with stamps may be dropped as "
-                    "too {}",
-                    std::abs(pace.age_min_s), pace.age_min_s > 0 ? "behind" : "ahead of",
-                    pace.age_min_s > 0 ? "new" : "old"));
+    warn(check, topic,
+         fmt::format("its stamps are {:.2f} s {} this machine's clock: they come late, or the clocks of two "
+                     "machines differ",
+                     std::abs(pace.age_min_s), pace.age_min_s > 0 ? "behind" : "ahead of"));
 }
 
 void judge_counts(RobotCheck& check, const std::string& scan_topic) {

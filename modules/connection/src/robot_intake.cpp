@@ -9,7 +9,7 @@
 
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/ros_time.hpp"
-#include "aisle/vehicle/arc.hpp"
+#include "scan_fitting.hpp"
 
 namespace aisle {
 namespace {
@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kScansWaiting = 2;
 constexpr std::size_t kPeriodsKept = 5;
 constexpr double kClockJump_s = 1;
+constexpr double kSweepMax_s = 10;    // no scanner takes longer for a scan
 constexpr double kLeapsApart_s = 10;  // two leaps within this: the odometry is broken
 constexpr int kUnreadableInARow = 10;
 constexpr double kUnreadableShare = 0.01;
@@ -24,27 +25,18 @@ constexpr std::size_t kUnreadableLeast = 10;
 
 using Source = ConnectedOdometry::Source;
 
-/// Wheel angles of a left and a right joint; nullopt: the message has not both.
-std::optional<std::pair<double, double>> wheel_angles(const ros::JointState& message,
-                                                      const ConnectedOdometry& odometry) {
-  const auto angle_of = [&](const std::string& joint) -> std::optional<double> {
-    const auto found = std::find(message.name.begin(), message.name.end(), joint);
-    const auto index = static_cast<std::size_t>(found - message.name.begin());
-    if (found == message.name.end() || index >= message.position.size()) return std::nullopt;
-    return message.position[index];
-  };
-  const auto left = angle_of(odometry.left_joint), right = angle_of(odometry.right_joint);
-  if (!left || !right || !std::isfinite(*left) || !std::isfinite(*right)) return std::nullopt;
-  return std::pair(*left, *right);
+/// The clock that machines keep together.
+double wall_clock_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
 
 RobotIntake::RobotIntake(const Connection& connection, const VehicleDescription& vehicle, const Clock& clock)
     : connection_(connection),
-      vehicle_(vehicle),
       clock_(clock),
-      state_(OdometryTrail(connection.odometry.jump_max_m, vehicle.limits.speed_max_mps)) {}
+      state_(OdometryTrail(connection.odometry.jump_max_m, vehicle.limits.speed_max_mps)),
+      wheels_(connection.odometry, vehicle.differential) {}
 
 Result<std::unique_ptr<RobotIntake>> RobotIntake::open(Wire& wire, const Connection& connection,
                                                        const VehicleDescription& vehicle,
@@ -77,8 +69,7 @@ void RobotIntake::wait_for_odometry(std::unique_lock<std::mutex>& lock, double s
 }
 
 double RobotIntake::now_s() const {
-  if (connection_.clock == ConnectedClock::kRos && state_.ros_clock_s) return *state_.ros_clock_s;
-  return clock_.now_s();
+  return connection_.clock == ConnectedClock::kRos ? state_.ros_clock_s.value_or(0) : clock_.now_s();
 }
 
 Problems RobotIntake::subscribe(Wire& wire) {
@@ -100,9 +91,9 @@ Problems RobotIntake::subscribe(Wire& wire) {
 
 template <class Message>
 Problems RobotIntake::subscribe(Wire& wire, const std::string& topic, WireQuality quality,
-                                void (RobotIntake::*take)(const Message&)) {
+                                bool (RobotIntake::*take)(const Message&)) {
   auto subscription = wire.subscribe(topic, Message::kType, quality, [this, take](std::string_view bytes) {
-    arrive<Message>(bytes, [&](const Message& message) { (this->*take)(message); });
+    arrive<Message>(bytes, [&](const Message& message) { return (this->*take)(message); });
   });
   if (!subscription) return subscription.problems();
   subscriptions_.push_back(std::move(*subscription));
@@ -128,6 +119,7 @@ Problems RobotIntake::subscribe_switches(Wire& wire, const std::vector<Connected
                                            state.is_pressed = message.data;
                                            state.was_pressed |= message.data;
                                            state.arrived_s = now_s();
+                                           return true;
                                          });
                                        });
     if (!subscription) return subscription.problems();
@@ -144,9 +136,8 @@ void RobotIntake::arrive(std::string_view bytes, const Take& take) {
     ConnectionCounts& counts = state_.counts;
     ++counts.messages;
     has_news_ = true;
-    if (message) {
+    if (message && take(*message)) {
       state_.unreadable_in_a_row = 0;
-      take(*message);
     } else {
       ++counts.unreadable;
       const bool are_many =
@@ -160,19 +151,16 @@ void RobotIntake::arrive(std::string_view bytes, const Take& take) {
   arrived_.notify_all();
 }
 
-void RobotIntake::take_scan(const ros::LaserScan& message) {
+bool RobotIntake::take_scan(const ros::LaserScan& message) {
   ScanDoubts doubts;
   const ros::Stamp_ns stamp = stamp_of(message.header);
   const double stamp_s = ros::stamp_s(stamp);
   auto scan = bag_scan(message, {.stamp = stamp}, doubts);
-  if (!scan) {
-    ++state_.counts.unreadable;
-    return;
-  }
+  if (!scan || stamp < 0 || end_of_scan_s(*scan) > stamp_s + kSweepMax_s) return false;
   if (state_.scan_frame.empty()) state_.scan_frame = scan->frame;
   if (scan->frame != state_.scan_frame) {
     ++state_.counts.scans_foreign;
-    return;
+    return true;
   }
   if (state_.newest_scan_s) {
     const double gap_s = stamp_s - *state_.newest_scan_s;
@@ -181,7 +169,7 @@ void RobotIntake::take_scan(const ros::LaserScan& message) {
     if (gap_s > kClockJump_s) ++state_.counts.clock_gaps;
     if (gap_s <= 0) {
       ++state_.counts.out_of_order;
-      return;
+      return true;
     }
     if (state_.scan_periods_s.size() < kPeriodsKept) state_.scan_periods_s.push_back(gap_s);
   }
@@ -193,69 +181,60 @@ void RobotIntake::take_scan(const ros::LaserScan& message) {
     state_.scans.pop_front();
     ++state_.counts.scans_skipped;
   }
+  return true;
 }
 
-void RobotIntake::take_odometry(const ros::Odometry& message) {
+bool RobotIntake::take_odometry(const ros::Odometry& message) {
   const ros::Pose& pose = message.pose.pose;
-  take_pose(ros::stamp_s(stamp_of(message.header)), pose.position, pose.orientation);
+  return take_pose(ros::stamp_s(stamp_of(message.header)), pose.position, pose.orientation);
 }
 
-void RobotIntake::take_odometry_transforms(const ros::TFMessage& message) {
+bool RobotIntake::take_odometry_transforms(const ros::TFMessage& message) {
+  bool makes_sense = true;
   for (const ros::TransformStamped& transform : message.transforms) {
     if (frame_name(transform.header.frame_id) == connection_.frames.odom &&
         frame_name(transform.child_frame_id) == connection_.frames.base)
-      take_pose(ros::stamp_s(stamp_of(transform.header)), transform.transform.translation,
-                transform.transform.rotation);
+      makes_sense &= take_pose(ros::stamp_s(stamp_of(transform.header)), transform.transform.translation,
+                               transform.transform.rotation);
   }
+  return makes_sense;
 }
 
-void RobotIntake::take_wheels(const ros::JointState& message) {
-  const auto angles_rad = wheel_angles(message, connection_.odometry);
-  if (!angles_rad) return;  // other joints have messages of their own
-  if (wheels_rad_) {
-    const double radius_m = vehicle_.differential.wheel_radius_m;
-    const double left_m = radius_m * (angles_rad->first - wheels_rad_->first);
-    const double right_m = radius_m * (angles_rad->second - wheels_rad_->second);
-    const double turn_rad = (right_m - left_m) / vehicle_.differential.wheel_separation_m;
-    T_odom_wheels_ = T_odom_wheels_ * end_pose({(left_m + right_m) / 2, turn_rad});
-  }
-  wheels_rad_ = angles_rad;
-  take_base(ros::stamp_s(stamp_of(message.header)), T_odom_wheels_);
+bool RobotIntake::take_wheels(const ros::JointState& message) {
+  const auto T_odom_base = wheels_.take(message);
+  return !T_odom_base || take_base(ros::stamp_s(stamp_of(message.header)), *T_odom_base);
 }
 
-void RobotIntake::take_fixed_transforms(const ros::TFMessage& message) {
+bool RobotIntake::take_fixed_transforms(const ros::TFMessage& message) {
   for (const ros::TransformStamped& transform : message.transforms) {
     const auto T = isometry(transform.transform.translation, transform.transform.rotation);
     if (T)
       state_.transforms.add(frame_name(transform.header.frame_id), frame_name(transform.child_frame_id), *T);
   }
+  return true;
 }
 
-void RobotIntake::take_battery(const ros::BatteryState& message) {
+bool RobotIntake::take_battery(const ros::BatteryState& message) {
   if (message.percentage >= 0 && message.percentage <= 1) state_.charge = message.percentage;
+  return true;  // NaN: unknown
 }
 
-void RobotIntake::take_clock(const ros::Clock& message) {
+bool RobotIntake::take_clock(const ros::Clock& message) {
   const double clock_s = ros::stamp_s(ros::stamp_ns(message.clock));
   if (state_.ros_clock_s && clock_s < *state_.ros_clock_s - kClockJump_s)
     be_broken(fmt::format("/clock jumped back by {:.1f} s", *state_.ros_clock_s - clock_s));
-  if (!state_.ros_clock_s)
-    state_.scan_arrived_s = state_.odometry_arrived_s = clock_s;  // no more aisle's own
   if (!state_.ros_clock_s || clock_s > *state_.ros_clock_s) state_.clock_arrived_s = clock_.now_s();
   state_.ros_clock_s = clock_s;
+  return true;
 }
 
-void RobotIntake::take_pose(double stamp_s, const ros::Vector3& position,
+bool RobotIntake::take_pose(double stamp_s, const ros::Vector3& position,
                             const ros::Quaternion& orientation) {
   const auto T_odom_base = isometry(position, orientation);
-  if (T_odom_base) {
-    take_base(stamp_s, in_the_plane(*T_odom_base));
-  } else {
-    ++state_.counts.unreadable;
-  }
+  return T_odom_base && take_base(stamp_s, in_the_plane(*T_odom_base));
 }
 
-void RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
+bool RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
   const Vec2& p_base_axle_m = connection_.frames.p_base_axle_m;
   const double now = now_s();
   switch (state_.trail.take(stamp_s, T_odom_base * Pose2{p_base_axle_m.x(), p_base_axle_m.y(), 0})) {
@@ -263,7 +242,7 @@ void RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
       break;
     case OdometryTrail::Taken::kOutOfOrder:
       ++state_.counts.out_of_order;
-      return;
+      return true;
     case OdometryTrail::Taken::kRestart:
       be_broken("its odometry began again at zero: the robot was restarted");
       break;
@@ -276,6 +255,7 @@ void RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
   }
   state_.odometry_arrived_s = now;
   state_.odometry_pace.take(now_s(), age_s(stamp_s));
+  return true;
 }
 
 ros::Stamp_ns RobotIntake::stamp_of(const ros::Header& header) const {
@@ -286,8 +266,14 @@ ros::Stamp_ns RobotIntake::stamp_of(const ros::Header& header) const {
 /// By /clock, or by the clock that machines keep together.
 double RobotIntake::age_s(double stamp_s) const {
   if (connection_.clock == ConnectedClock::kRos) return now_s() - stamp_s;
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count() - stamp_s;
+  return wall_clock_s() - stamp_s;
+}
+
+double RobotIntake::robot_time_s() const {
+  if (connection_.clock == ConnectedClock::kArrival) return wall_clock_s();
+  const double newest_s = std::max(state_.newest_scan_s.value_or(0), state_.trail.newest_s());
+  const double since_s = now_s() - std::max(state_.scan_arrived_s, state_.odometry_arrived_s);
+  return std::max(0.0, newest_s + std::max(0.0, since_s));
 }
 
 void RobotIntake::be_broken(std::string why) {

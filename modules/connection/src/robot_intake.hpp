@@ -10,6 +10,7 @@
 #include "aisle/formats/connections/connection_file.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 #include "aisle/wire/wire.hpp"
+#include "joint_odometry.hpp"
 #include "robot_state.hpp"
 
 namespace aisle {
@@ -44,45 +45,47 @@ class RobotIntake {
   void wait_for_odometry(std::unique_lock<std::mutex>& lock, double stamp_s, double most_s);
   RobotState& state() { return state_; }
 
-  /// The time that ages count by: aisle's own, or /clock. Needs the lock.
+  /// The time that ages count by: aisle's own, or /clock (0 until it is known). Needs the lock.
   double now_s() const;
+  /// The time by which a robot judges stamps: its newest one, carried on; the machines' common clock where
+  /// its own make no sense. Needs the lock, and odometry that has arrived.
+  double robot_time_s() const;
 
  private:
   Problems subscribe(Wire& wire);
   template <class Message>
   Problems subscribe(Wire& wire, const std::string& topic, WireQuality quality,
-                     void (RobotIntake::*take)(const Message&));
+                     bool (RobotIntake::*take)(const Message&));
   Problems subscribe_odometry(Wire& wire);
   Problems subscribe_switches(Wire& wire, const std::vector<ConnectedSwitch>& switches,
                               std::vector<SwitchState>& states);
 
-  /// Parses a message and gives it to `take`, under the lock; counts what cannot be read.
+  /// Parses a message and gives it to `take`, under the lock; counts what cannot be read or makes no sense.
   template <class Message, class Take>
   void arrive(std::string_view bytes, const Take& take);
 
-  void take_scan(const ros::LaserScan& message);
-  void take_odometry(const ros::Odometry& message);
-  void take_odometry_transforms(const ros::TFMessage& message);
-  void take_wheels(const ros::JointState& message);
-  void take_fixed_transforms(const ros::TFMessage& message);
-  void take_battery(const ros::BatteryState& message);
-  void take_clock(const ros::Clock& message);
-  void take_pose(double stamp_s, const ros::Vector3& position, const ros::Quaternion& orientation);
-  void take_base(double stamp_s, const Pose2& T_odom_base);
+  // @return whether the message makes sense
+  bool take_scan(const ros::LaserScan& message);
+  bool take_odometry(const ros::Odometry& message);
+  bool take_odometry_transforms(const ros::TFMessage& message);
+  bool take_wheels(const ros::JointState& message);
+  bool take_fixed_transforms(const ros::TFMessage& message);
+  bool take_battery(const ros::BatteryState& message);
+  bool take_clock(const ros::Clock& message);
+  bool take_pose(double stamp_s, const ros::Vector3& position, const ros::Quaternion& orientation);
+  bool take_base(double stamp_s, const Pose2& T_odom_base);
 
   ros::Stamp_ns stamp_of(const ros::Header& header) const;
   double age_s(double stamp_s) const;
   void be_broken(std::string why);
 
   const Connection connection_;
-  const VehicleDescription vehicle_;
   const Clock& clock_;
   std::mutex mutex_;
   std::condition_variable arrived_;
   bool has_news_ = false;  ///< since the last wait()
   RobotState state_;
-  std::optional<std::pair<double, double>> wheels_rad_;           ///< of the last joint states
-  Pose2 T_odom_wheels_;                                           ///< summed up from joint states
+  JointOdometry wheels_;
   std::vector<std::unique_ptr<WireSubscription>> subscriptions_;  ///< last: they end before what they fill
 };
 

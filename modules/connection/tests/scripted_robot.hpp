@@ -60,6 +60,7 @@ class ScriptedRobot final : public Progress {
     scan.angle_increment = 0.5;
     scan.range_min = 0.1F;
     scan.range_max = 8;
+    scan.time_increment = time_increment_s;
     scan.ranges = {1, 2, 3, HUGE_VALF, NAN};
     if (stands_in_a_room) look_around(scan);
     wire.tell("/scan", cdr_bytes(scan));
@@ -79,6 +80,7 @@ class ScriptedRobot final : public Progress {
   bool sends_scans = true;
   bool has_mount = true;
   bool is_upside_down = false;
+  float time_increment_s = 0;
   long ticks = 0;
   std::function<void()> script;  ///< at every tick
   std::vector<std::string> notes;

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "aisle/connection/connected_vehicle.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
@@ -260,6 +262,38 @@ TEST_F(ConnectedVehicleTest, MessagesThatCannotBeReadEndTheMission) {
   }
   EXPECT_THAT((*vehicle)->end_reason(),
               HasSubstr("cannot be read, the last of them sensor_msgs/msg/LaserScan"));
+}
+
+TEST_F(ConnectedVehicleTest, ScansThatMakeNoSenseAreNotTaken) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  ros::LaserScan scan;
+  scan.header = robot.header("laser");
+  scan.angle_increment = 0.1F;
+  scan.ranges = {1, 1, 1};
+  scan.time_increment = 1e30F;
+  robot.wire.tell("/scan", cdr_bytes(scan));
+  scan.time_increment = 0;
+  scan.header.stamp.sec = -5;
+  robot.wire.tell("/scan", cdr_bytes(scan));
+  EXPECT_EQ((*vehicle)->counts().unreadable, 2U);
+  EXPECT_TRUE((*vehicle)->sense().has_value());
+}
+
+TEST_F(ConnectedVehicleTest, AScanWhoseTimeBetweenReadingsIsNoNumberIsTakenAtOnce) {
+  robot.time_increment_s = NAN;
+  const auto vehicle = connect();
+  ASSERT_TRUE(vehicle.ok());
+  EXPECT_THAT((*vehicle)->sense()->scan->ranges_m, ElementsAre(1, 2, 3, 8, 0));
+}
+
+TEST_F(ConnectedVehicleTest, OdometryThatIsNoNumberIsNotTaken) {
+  const auto vehicle = connect();
+  (*vehicle)->sense();
+  robot.T_odom_base.x = NAN;
+  while ((*vehicle)->sense()) {
+  }
+  EXPECT_THAT((*vehicle)->end_reason(), HasSubstr("cannot be read, the last of them nav_msgs/msg/Odometry"));
 }
 
 TEST_F(ConnectedVehicleTest, ScansThatWaitTooLongAreSkippedAndTheWayIsKept) {

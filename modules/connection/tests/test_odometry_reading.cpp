@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "aisle/vehicle/odometry_step.hpp"
+#include "joint_odometry.hpp"
 #include "odometry_reading.hpp"
 #include "pose_matchers.hpp"
 
@@ -65,6 +66,31 @@ TEST(OdometryReading, StandingWheelsKeepTheirSteering) {
   const auto motion = std::get<FrontSteeredMotion>(readings.read({}, 0.3));
   EXPECT_EQ(motion.distance_m, 0);
   EXPECT_EQ(motion.steering_rad, 0.3);
+}
+
+ros::JointState wheels_at(double left_rad, double right_rad) {
+  ros::JointState message;
+  message.name = {"arm", "right", "left"};
+  message.position = {9, right_rad, left_rad};
+  return message;
+}
+
+TEST(JointOdometry, SumsUpTheAnglesOfItsTwoJoints) {
+  ConnectedOdometry odometry;
+  odometry.left_joint = "left";
+  odometry.right_joint = "right";
+  Differential wheels;
+  wheels.wheel_radius_m = 0.1;
+  wheels.wheel_separation_m = 0.4;
+  JointOdometry summed(odometry, wheels);
+  EXPECT_THAT(*summed.take(wheels_at(5, 7)), PoseNear(Pose2{}, 0, 0));
+  EXPECT_THAT(*summed.take(wheels_at(7, 9)), PoseNear(Pose2{0.2, 0, 0}, 1e-9, 1e-9));
+  EXPECT_THAT(*summed.take(wheels_at(5, 11)), PoseNear(Pose2{0.2, 0, 1}, 1e-9, 1e-9));
+}
+
+TEST(JointOdometry, OtherJointsTellNothing) {
+  JointOdometry summed(ConnectedOdometry{}, Differential{});
+  EXPECT_FALSE(summed.take(wheels_at(1, 1)));
 }
 
 }  // namespace

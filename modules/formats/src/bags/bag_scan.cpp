@@ -74,7 +74,8 @@ std::optional<BagScan> bag_scan(const ros::LaserScan& message, const MessageTime
   for (const float range_m : message.ranges)
     scan.ranges_m.push_back(usable(range_m, message.range_min, range_max_m, doubts));
   scan.scan_time_s = message.scan_time;
-  scan.beams = {message.angle_min, step_rad, message.time_increment};
+  const double period_s = std::isfinite(message.time_increment) ? message.time_increment : 0.0;
+  scan.beams = {message.angle_min, step_rad, period_s};
   if (step_rad < 0) {
     scan.beams.first_angle_rad += step_rad * steps;
     scan.beams.angle_step_rad = -step_rad;
