@@ -52,6 +52,21 @@ TEST_F(Connect, InitWritesNothingWhereThereIsNoRobot) {
   EXPECT_FALSE(std::filesystem::exists(at("robot-vehicle.yaml")));
 }
 
+TEST_F(Connect, InitRefusesMeasuresThatNoVehicleFileMayHave) {
+  for (const char* size : {"0,0,0", "nan,0.2,0.3"}) {
+    const ProgramRun run = run_aisle({"connect", "init", "--out", at("robot.yaml"), "--size", size});
+    EXPECT_EQ(run.exit_code, 2) << size;
+    EXPECT_THAT(run.err, HasSubstr("footprint.front_m")) << size;
+    EXPECT_FALSE(std::filesystem::exists(at("robot.yaml")));
+  }
+}
+
+TEST_F(Connect, AFileAndTheOptionsOfANetworkAreNotBoth) {
+  const ProgramRun run = run_aisle({"connect", "list", "--connect", at("robot.yaml"), "--domain", "3"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("--connect"), HasSubstr("--domain")));
+}
+
 TEST_F(Connect, AConnectionFileThatIsWrongIsRefusedWithItsPlaces) {
   write_bytes(at("robot.yaml"), "format: aisle.connection\nversion: 1\nvehicle: mini\nclock: wall\n");
   const ProgramRun run = run_aisle({"explore", "--connect", at("robot.yaml"), "--json"});
