@@ -61,7 +61,7 @@ nlohmann::ordered_json origin_json(const SessionCycles& cycles) {
 std::string imported_text(const SessionOrigin& origin, const VehicleDescription& vehicle) {
   return fmt::format("imported, {} odometry; {}\n", origin.has_odometry ? "with" : "without",
                      origin.has_calibration ? fmt::format("vehicle '{}'", vehicle.name)
-                                            : "the camera's lens and mount are not known");
+                                            : "how its sensors sit is not known");
 }
 
 std::string origin_text(const SessionCycles& cycles) {

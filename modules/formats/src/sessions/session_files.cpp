@@ -136,9 +136,12 @@ Result<sqlite::Database> open_session(const fs::path& directory) {
   const fs::path metadata = directory / kMetadataName;
   if (!fs::exists(directory)) return Problem{{directory.string()}, "no such session"};
   if (!fs::is_directory(directory))
-    return Problem{{directory.string()}, "is a file; a session is a directory with metadata.yaml in it"};
+    return Problem{{directory.string()},
+                   "is a file; a session is a directory with metadata.yaml in it, and `aisle import` makes "
+                   "one of a recording"};
   if (!fs::exists(metadata))
-    return Problem{{directory.string()}, "has no metadata.yaml, so it is not a session"};
+    return Problem{{directory.string()},
+                   "has no metadata.yaml, so it is not a session; `aisle import` makes one of a recording"};
   const auto yaml = read_whole_file(metadata, kMetadataMax_bytes);
   if (!yaml) return yaml.problems();
   const auto name = parse_database_name(*yaml, metadata.string());
