@@ -21,6 +21,7 @@ void add_mission_options(CLI::App& verb, GuideOptions& options) {
   add_seed(verb, options.seed, "random seed; the same seed gives the same session (default 1)");
   verb.add_option("--out", options.out, "output directory for the session");
   verb.add_flag("--force", options.force, "overwrite an existing session");
+  add_storage(verb, options.storage);
 }
 
 void require(const GuideOptions& options) {

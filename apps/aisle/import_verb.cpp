@@ -28,6 +28,7 @@ void add_import_verb(CLI::App& app, Work& work) {
                    "vehicle's, or front)");
   add_reading_options(*verb, options->reading);
   verb->add_flag("--force", options->force, "overwrite an existing session");
+  add_storage(*verb, options->storage);
   verb->callback(
       [options, &work] { work = [options](Console& console) { return run_import(*options, console); }; });
 }

@@ -9,6 +9,7 @@ using aisle::ExploringSensor;
 using aisle::kDegree;
 using aisle::LengthUnit;
 using aisle::Pose2;
+using aisle::SessionStorage;
 using aisle::wrap_angle;
 
 namespace {
@@ -43,6 +44,12 @@ void add_reading_options(CLI::App& verb, aisle::RecordingOptions& reading) {
   verb.add_option_function<std::string>(
       "--laser-offset", [&reading](const std::string& text) { reading.T_vehicle_laser = parse_offset(text); },
       "pose of the laser on the vehicle: x, x,y or x,y,degrees (default: from the recording, else 0)");
+}
+
+void add_storage(CLI::App& verb, SessionStorage& storage) {
+  add_choice<SessionStorage>(verb, "--storage", storage,
+                             {{"sqlite", SessionStorage::kSqlite}, {"mcap", SessionStorage::kMcap}},
+                             "file of the new session (default sqlite)");
 }
 
 void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning) {

@@ -56,7 +56,8 @@ Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const st
   for (const std::string& warning : plan->setting.warnings) console.warn(warning);
   SimulatedVehicle vehicle = vehicle_in(
       plan->setting, set_down_at_home(plan->setting, plan->T_world_start, options.seed), options.seed);
-  auto session = open_session(options.out, options.force, vehicle, &vehicle, plan->origin, console.watcher);
+  auto session = open_session(options.out, options.force, options.storage, vehicle, &vehicle, plan->origin,
+                              console.watcher);
   if (!session) return session.problems();
   const auto result = drive_guide_mission(vehicle, &vehicle, *plan->driver, *session, console.progress);
   if (!result) return result.problems();

@@ -193,7 +193,8 @@ Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, const
   if (!former) return former.problems();
   SimulatedVehicle vehicle = vehicle_in(
       plan.setting, *former ? (*former)->T_world_vehicle.back() : plan.T_world_start, options.seed);
-  auto session = open_session(options.session, options.force, vehicle, &vehicle, origin, console.watcher);
+  auto session = open_session(options.session, options.force, options.storage, vehicle, &vehicle, origin,
+                              console.watcher);
   if (!session) return session.problems();
   auto explored = explore_once(options, plan, vehicle, std::move(*former), *session, console.progress);
   if (!explored) return explored.problems();

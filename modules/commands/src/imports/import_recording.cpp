@@ -139,7 +139,7 @@ Result<Outcome> run_import(const ImportOptions& options, Console& console) {
   const auto vehicle = imported_vehicle(std::move(named), *recording, options);
   if (!vehicle) return vehicle.problems();
   auto session = ImportedSession::create(options.out, options.force, vehicle->description, vehicle->camera,
-                                         vehicle->known, recording->has_odometry);
+                                         vehicle->known, recording->has_odometry, options.storage);
   if (!session) return session.problems();
   const auto imported = take_all(*recording, *session, console.progress);
   if (!imported) return imported.problems();

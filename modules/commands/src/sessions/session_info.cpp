@@ -121,6 +121,7 @@ Result<Outcome> run_session_info(const SessionInfoOptions& options, Console& con
   if (!summary && may_be_session(options.input)) return summary.problems();
   const auto cycles = SessionCycles::open(options.input);
   if (!cycles) return recording_info(options.input, console);
+  if (!summary) return summary.problems();
 
   Outcome outcome{.verb = "info"};
   outcome.figures = {{"duration_s", summary->duration_s()},

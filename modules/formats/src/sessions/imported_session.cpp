@@ -65,12 +65,13 @@ ImportedSession::ImportedSession(fs::path directory, SessionWriter writer, Vehic
 
 Result<ImportedSession> ImportedSession::create(const fs::path& directory, bool force,
                                                 const VehicleDescription& vehicle, const std::string& camera,
-                                                const KnownSensors& known, bool has_odometry) {
+                                                const KnownSensors& known, bool has_odometry,
+                                                SessionStorage storage) {
   if (auto read_back = parse_vehicle(vehicle_yaml(vehicle), "the vehicle's description"); !read_back)
     return read_back.problems();
   if (Problems problems = prepare_directory(directory, force); !problems.empty()) return problems;
   const fs::path place = named(directory);
-  auto writer = SessionWriter::create(unfinished(place), true);
+  auto writer = SessionWriter::create(unfinished(place), true, storage);
   if (!writer) return writer.problems();
   return ImportedSession(place, std::move(*writer), vehicle, camera, known, has_odometry);
 }

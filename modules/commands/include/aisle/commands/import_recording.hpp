@@ -6,6 +6,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/formats/logs/laser_recording.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 
 namespace aisle {
 
@@ -17,6 +18,7 @@ struct ImportOptions {
   std::string camera;             ///< topic of a bag's images, else name of the camera; empty: the only one
   RecordingOptions reading;       ///< of scans and odometry
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;
 };
 
 /// `aisle import INPUT`: makes a session of images and scans that were recorded elsewhere.

@@ -37,13 +37,14 @@ struct KnownSensors {
 /// ends before, and which the next import to this place takes over if the process was killed.
 class ImportedSession {
  public:
-  /// `directory` and `force` as in SessionWriter::create.
+  /// `directory`, `force` and `storage` as in SessionWriter::create.
   /// @param camera  a camera of the vehicle: what the images are of; empty if there are none
   /// @param known   of the sensors; viewers get no calibration and frames that nobody knows
   /// @param has_odometry  whether images and scans have it
   static Result<ImportedSession> create(const std::filesystem::path& directory, bool force,
                                         const VehicleDescription& vehicle, const std::string& camera,
-                                        const KnownSensors& known, bool has_odometry);
+                                        const KnownSensors& known, bool has_odometry,
+                                        SessionStorage storage = SessionStorage::kSqlite);
 
   ImportedSession(ImportedSession&&) noexcept = default;
   ImportedSession& operator=(ImportedSession&&) noexcept = delete;
