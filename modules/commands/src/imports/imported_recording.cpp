@@ -33,7 +33,7 @@ Problems take_scans(LaserRecording recording, const ImportOptions& options, Impo
   return {{{options.recording}, "has no scan that a session can store"}};
 }
 
-Result<ImportedRecording> open_images(const ImportOptions& options, ImageSequenceOptions reading) {
+Result<ImportedRecording> open_images(const ImportOptions& options, const ImageSequenceOptions& reading) {
   auto images = open_image_sequence(options.recording, reading);
   if (!images) return images.problems();
   ImportedRecording imported;
@@ -78,7 +78,7 @@ Result<ImportedRecording> open_recording(const ImportOptions& options,
   } else if (is_laser_recording(options.recording)) {
     return open_scans(options);
   }
-  return open_images(options, std::move(reading));
+  return open_images(options, reading);
 }
 
 }  // namespace aisle
