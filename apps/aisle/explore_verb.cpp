@@ -47,6 +47,7 @@ void add_explore_verb(CLI::App& app, Work& work) {
   for (const char* name :
        {"WORLD", "--resolution", "--vehicle", "--sensor", "--faults", "--start", "--compare", "--seed"})
     connection->excludes(verb->get_option(name));
+  add_storage(*verb, options->storage);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, explore_parameters, work, [=, &work] {
     if (options->world.empty() && options->connection.empty()) throw CLI::RequiredError("WORLD");

@@ -25,6 +25,7 @@ void add_mission_options(CLI::App& verb, GuideOptions& options) {
   verb.add_flag("--force", options.force, "overwrite an existing session");
   for (const char* name : {"--world", "--resolution", "--vehicle", "--faults", "--seed"})
     connection->excludes(verb.get_option(name));
+  add_storage(verb, options.storage);
 }
 
 void require(const GuideOptions& options) {

@@ -106,6 +106,21 @@ TEST_F(Session, ACutIsASessionOfThatPart) {
   EXPECT_EQ(replay["different"], 0);
 }
 
+TEST_F(Session, McapHoldsTheSame) {
+  const ProgramRun driven = run_aisle(drive("other", {"--no-pictures", "--storage", "mcap"}));
+  ASSERT_EQ(driven.exit_code, 0) << driven.err;
+  EXPECT_THAT(names_in(at("other")), testing::ElementsAre("metadata.yaml", "other_0.mcap"));
+  EXPECT_EQ(run_aisle({"replay", at("other"), "--json"}).exit_code, 0);
+  const auto figures = [](const std::string& session) {
+    auto json = run_aisle({"info", session, "--json"}).json()["figures"];
+    json.erase("file_bytes");
+    return json;
+  };
+  EXPECT_EQ(figures(at("other")), figures(session()));
+  ASSERT_EQ(run_aisle({"cut", at("other"), "--out", at("back/drive")}).exit_code, 0);
+  EXPECT_TRUE(read_bytes(at("back/drive/drive_0.db3")) == read_bytes(database()));
+}
+
 TEST_F(Session, CutRefusesPartsThatAreNone) {
   const auto cut = [&](const Arguments& part) {
     Arguments arguments = {"cut", session(), "--out", at("cut"), "--json"};

@@ -102,8 +102,8 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
       drive->setting.world, drive->setting.vehicle, drive->setting.scenario,
       {.seed = options.seed, .T_world_start = drive->T_world_start, .takes_images = options.takes_images},
       person->get());
-  auto session = open_session(options.out, options.force, vehicle, &vehicle, origin_of(options, *drive),
-                              console.watcher);
+  auto session = open_session(options.out, options.force, options.storage, vehicle, &vehicle,
+                              origin_of(options, *drive), console.watcher);
   if (!session) return session.problems();
   HandDriver driver(drive->params.limits);
   MissionRecorder record(*session, vehicle, &vehicle);

@@ -49,7 +49,8 @@ Result<GuideMission> make_mission(const GuideOptions& options, SessionOrigin ori
 /// @param truth  of the vehicle; null: unknown
 Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, GuideMission& mission,
                               Vehicle& vehicle, const TruthSource* truth, Console& console) {
-  auto session = open_session(options.out, options.force, vehicle, truth, mission.origin, console.watcher);
+  auto session = open_session(options.out, options.force, options.storage, vehicle, truth, mission.origin,
+                              console.watcher);
   if (!session) return session.problems();
   GuideDriver& driver = *mission.driver;
   const auto result = drive_guide_mission(vehicle, truth, driver, *session, console.progress);

@@ -235,7 +235,8 @@ Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, const
   if (!former) return former.problems();
   SimulatedVehicle vehicle = vehicle_in(
       plan.setting, *former ? (*former)->T_world_vehicle.back() : plan.T_world_start, options.seed);
-  auto session = open_session(options.session, options.force, vehicle, &vehicle, origin, console.watcher);
+  auto session = open_session(options.session, options.force, options.storage, vehicle, &vehicle, origin,
+                              console.watcher);
   if (!session) return session.problems();
   auto explored =
       explore_world({options, plan.params, console.progress}, plan, vehicle, std::move(*former), *session);
@@ -268,8 +269,8 @@ Result<JudgedExploration> explore_with_robot(const ExploreOptions& options, Cons
   auto robot = connect_robot(options.connection, console);
   if (!robot) return robot.problems();
   ConnectedVehicle& vehicle = *(*robot)->vehicle;
-  auto session =
-      open_session(options.session, options.force, vehicle, nullptr, origin, (*robot)->viewer.get());
+  auto session = open_session(options.session, options.force, options.storage, vehicle, nullptr, origin,
+                              (*robot)->viewer.get());
   if (!session) return session.problems();
   auto explored =
       explore_once({options, params, console.progress}, vehicle, nullptr, std::move(*former), *session);

@@ -108,8 +108,8 @@ Result<Outcome> navigate_by_landmarks(const NavigateOptions& options, const Land
                  set_down_for_landmarks(mission->setting, route_start_in_world(*mission, options.in_reverse),
                                         options.seed),
                  options.seed);
-  auto session =
-      open_session(options.out, options.force, vehicle, &vehicle, mission->origin, console.watcher);
+  auto session = open_session(options.out, options.force, options.storage, vehicle, &vehicle, mission->origin,
+                              console.watcher);
   if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();

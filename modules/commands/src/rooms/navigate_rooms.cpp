@@ -30,6 +30,7 @@ struct RoomDrive {
   std::uint64_t seed = 1;
   std::filesystem::path out;
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;
 };
 
 /// How a route lies in the world: by the truth that learning wrote beside the building, else the route begins
@@ -97,7 +98,8 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   if (!fits(setting->world, vehicle.footprint, T_world_start))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at its start in this world"};
   SimulatedVehicle driven = vehicle_in(*setting, T_world_start, drive.seed);
-  auto session = open_session(drive.out, drive.force, driven, &driven, origin, console.watcher);
+  auto session =
+      open_session(drive.out, drive.force, drive.storage, driven, &driven, origin, console.watcher);
   if (!session) return session.problems();
   const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end(),
                                     params.navigator.frame_backing.wanted);
@@ -126,7 +128,8 @@ Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriv
                      .from_end_m = {},
                      .seed = options.seed,
                      .out = options.out,
-                     .force = options.force},
+                     .force = options.force,
+                     .storage = options.storage},
                     params, console);
 }
 
@@ -152,7 +155,8 @@ Result<Outcome> run_park(const ParkOptions& options, Console& console) {
                      .from_end_m = kUsualStart_m,
                      .seed = options.seed,
                      .out = options.out,
-                     .force = options.force},
+                     .force = options.force,
+                     .storage = options.storage},
                     params, console);
 }
 

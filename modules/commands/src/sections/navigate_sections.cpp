@@ -72,7 +72,8 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
   const Pose2 T_world_start = set_down_on_route(*setting, *T_world_map * T_map_start, options.seed);
   SimulatedVehicle driven = vehicle_in(*setting, T_world_start, options.seed);
-  auto session = open_session(options.out, options.force, driven, &driven, origin, console.watcher);
+  auto session =
+      open_session(options.out, options.force, options.storage, driven, &driven, origin, console.watcher);
   if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();

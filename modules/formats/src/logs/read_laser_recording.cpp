@@ -76,18 +76,11 @@ Result<LaserRecording> read_recording_file(const fs::path& path, const Recording
   return recording;
 }
 
-bool is_recording(const fs::path& path) {
-  if (is_bag(path)) return true;
-  if (!fs::is_regular_file(path)) return false;
-  const Result<std::string> head = read_unpacked_head(path, kRecordingHead);
-  return head && recording_kind(*head) != RecordingKind::kOther;
-}
-
 Result<LaserRecording> read_recording_folder(const fs::path& folder, const RecordingOptions& options) {
   std::vector<fs::path> recordings;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (is_recording(entry->path())) recordings.push_back(entry->path());
+    if (is_laser_recording(entry->path())) recordings.push_back(entry->path());
   }
   if (error) return Problem{{folder.string()}, "cannot be listed: " + error.message()};
   if (recordings.size() == 1) return read_laser_recording(recordings.front(), options);
@@ -101,6 +94,13 @@ Result<LaserRecording> read_recording_folder(const fs::path& folder, const Recor
 }
 
 }  // namespace
+
+bool is_laser_recording(const fs::path& path) {
+  if (is_bag(path)) return true;
+  if (!fs::is_regular_file(path)) return false;
+  const Result<std::string> head = read_unpacked_head(path, kRecordingHead);
+  return head && recording_kind(*head) != RecordingKind::kOther;
+}
 
 Result<LaserRecording> read_laser_recording(const fs::path& path, const RecordingOptions& options) {
   std::error_code error;

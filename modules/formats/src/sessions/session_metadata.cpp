@@ -35,13 +35,20 @@ std::optional<std::string> scalar(const YAML::Node& map, const char* key) {
   return value.Scalar();
 }
 
-Result<std::string> database_name(const YAML::Node& bag, const std::string& name) {
+/// As metadata.yaml calls it.
+const char* identifier_of(SessionStorage storage) {
+  return storage == SessionStorage::kMcap ? "mcap" : "sqlite3";
+}
+
+Result<SessionFile> session_file(const YAML::Node& bag, const std::string& name) {
   const auto wrong = [&](const char* key, std::string what) {
     return Problem{{name, 0, key}, std::move(what)};
   };
-  if (const std::string storage = scalar(bag, "storage_identifier").value_or(""); storage != "sqlite3") {
-    return wrong("storage_identifier",
-                 fmt::format("'{}' is not read, only sqlite3; `ros2 bag convert` makes one", storage));
+  const std::string storage = scalar(bag, "storage_identifier").value_or("");
+  if (storage != "sqlite3" && storage != "mcap") {
+    return wrong(
+        "storage_identifier",
+        fmt::format("'{}' is not read, only sqlite3 and mcap; `ros2 bag convert` makes one", storage));
   }
   if (const std::string format = scalar(bag, "compression_format").value_or(""); !format.empty()) {
     return wrong("compression_format",
@@ -60,7 +67,7 @@ Result<std::string> database_name(const YAML::Node& bag, const std::string& name
   const std::string file = files[0].Scalar();
   if (file.empty() || file == "." || file == ".." || file.find('/') != std::string::npos)
     return wrong("relative_file_paths", fmt::format("'{}' is not a file beside metadata.yaml", file));
-  return file;
+  return SessionFile{storage == "mcap" ? SessionStorage::kMcap : SessionStorage::kSqlite, file};
 }
 
 }  // namespace
@@ -87,7 +94,7 @@ std::string metadata_yaml(const SessionMetadata& metadata) {
   return fmt::format(
       "rosbag2_bagfile_information:\n"
       "  version: {}\n"
-      "  storage_identifier: sqlite3\n"
+      "  storage_identifier: {}\n"
       "  duration:\n    {}\n"
       "  starting_time:\n    {}\n"
       "  message_count: {}\n"
@@ -100,18 +107,18 @@ std::string metadata_yaml(const SessionMetadata& metadata) {
       "      starting_time:\n        {}\n"
       "      duration:\n        {}\n"
       "      message_count: {}\n",
-      kMetadataVersion, duration, start, metadata.messages, topics.empty() ? " []" : "", topics,
-      json_quoted(metadata.database_name), json_quoted(metadata.database_name), start, duration,
-      metadata.messages);
+      kMetadataVersion, identifier_of(metadata.storage), duration, start, metadata.messages,
+      topics.empty() ? " []" : "", topics, json_quoted(metadata.file_name), json_quoted(metadata.file_name),
+      start, duration, metadata.messages);
 }
 
-Result<std::string> parse_database_name(const std::string& text, const std::string& name) {
+Result<SessionFile> parse_session_file(const std::string& text, const std::string& name) {
   try {
     const YAML::Node root = YAML::Load(text);
     const YAML::Node bag = root.IsMap() ? root["rosbag2_bagfile_information"] : YAML::Node();
     if (!bag || !bag.IsMap())
       return Problem{{name, 0, "rosbag2_bagfile_information"}, "is missing: this is not a bag's metadata"};
-    return database_name(bag, name);
+    return session_file(bag, name);
   } catch (const YAML::Exception& error) {
     return Problem{{name, error.mark.line + 1}, "is not YAML: " + error.msg};
   }

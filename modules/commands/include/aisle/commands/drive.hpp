@@ -9,6 +9,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 #include "aisle/guidance/hand_driver.hpp"
 #include "aisle/guidance/key_controls.hpp"
 #include "aisle/simulation/operators/operator.hpp"
@@ -39,6 +40,7 @@ struct DriveOptions {
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< directory of the session; empty: not recorded
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;
   bool takes_images = true;
   ParameterSources parameters;
 
