@@ -110,6 +110,14 @@ TEST_F(BadTaughtRuns, FilesThatAreMissingAreRefusedByName) {
               IsRefused(at("none.yaml")));
 }
 
+TEST_F(BadTaughtRuns, ARouteThroughARoomIsNotTaughtWithACameraThatLooksUp) {
+  const std::string vehicle = file(
+      "up.yaml", with(read_bytes(AISLE_SOURCE_DIR "/vehicles/alv.yaml"), "tilt_deg: 38", "tilt_deg: -30"));
+  EXPECT_THAT(run_aisle({"teach", "laboratory", "--method", "route", "--route", "instruments", "--vehicle",
+                         vehicle, "--operator", "scripted", "--out", at("out"), "--json"}),
+              IsRefused(vehicle + ": cameras.top: does not see the floor"));
+}
+
 TEST_F(BadTaughtRuns, SessionsFromWhichNothingCanBeLearnedAreRefused) {
   const auto drive = [&](const std::string& out, const Arguments& more) {
     Arguments arguments = {"drive",  "mini-corridor", "--vehicle", "mini",

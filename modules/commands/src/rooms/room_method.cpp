@@ -16,7 +16,8 @@ namespace {
 /// Only the first camera is learned from. A scripted person drives the world's route of that name.
 Problems prepare_for_rooms(const TeachOptions& options, const VehicleDescription& vehicle,
                            DriveOptions& drive) {
-  if (Problems problems = unfit_for_rooms(vehicle, {kFirstCamera}); !problems.empty()) return problems;
+  if (Problems problems = unfit_for_rooms(vehicle, {kFirstCamera}); !problems.empty())
+    return at_file(std::move(problems), drive.vehicle);
   drive.camera = kFirstCamera;
   const auto file = shipped_or_own("worlds", drive.world);
   if (!file) return file.problems();
