@@ -49,8 +49,12 @@ nlohmann::json RunningRobot::wait_until_ready() const {
   return nlohmann::json::parse(line).at("vehicle");
 }
 
+void RunningRobot::signal(int number) const {
+  kill(process_, number);
+}
+
 int RunningRobot::stop() {
-  kill(process_, SIGTERM);
+  signal(SIGTERM);
   return wait();
 }
 
@@ -60,9 +64,9 @@ int RunningRobot::wait() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-unsigned domain_of_this_process() {
+unsigned domain_of_this_process(unsigned offset) {
   constexpr unsigned kFirst = 20, kCount = 80;
-  return kFirst + static_cast<unsigned>(getpid()) % kCount;
+  return kFirst + (static_cast<unsigned>(getpid()) + offset) % kCount;
 }
 
 }  // namespace robots
