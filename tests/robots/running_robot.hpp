@@ -8,11 +8,12 @@
 
 namespace robots {
 
-/// The program mujoco_robot as a child process: started by the constructor, killed by the destructor, and by
-/// the end of this process.
+/// A robot's program as a child process: started by the constructor, killed by the destructor, and by the end
+/// of this process.
 class RunningRobot {
  public:
-  explicit RunningRobot(const std::vector<std::string>& arguments);
+  /// @param program  its path; empty: mujoco_robot
+  explicit RunningRobot(const std::vector<std::string>& arguments, std::string program = {});
   ~RunningRobot();
   RunningRobot(const RunningRobot&) = delete;
   RunningRobot& operator=(const RunningRobot&) = delete;

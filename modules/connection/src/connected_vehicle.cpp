@@ -83,6 +83,8 @@ class ConnectedVehicle::Cycle {
     counts.commands_aged = outlet_.aged();
     counts.holds = holds_;
     counts.held_s = held_s_;
+    counts.scan_age_s = intake_->now_s() - intake_->state().scan_arrived_s;
+    counts.odometry_age_s = intake_->now_s() - intake_->state().odometry_arrived_s;
     return counts;
   }
 
@@ -139,8 +141,7 @@ class ConnectedVehicle::Cycle {
 
   std::string silence(const NeededTopic& needed, double silent_s) const {
     const auto& unreadable = intake_->state().unreadable_in_a_row;
-    const auto of_type = unreadable.find(needed.type);
-    const bool arrives = of_type != unreadable.end() && of_type->second > 0;
+    const bool arrives = unreadable.count(needed.type) > 0 && unreadable.at(needed.type) > 0;
     return fmt::format("{} silent for {:.1f} s{}", needed.topic, silent_s,
                        arrives ? fmt::format(": what arrives cannot be read as {}", needed.type) : "");
   }
@@ -161,7 +162,6 @@ class ConnectedVehicle::Cycle {
     if (now_s - std::max(state.odometry_arrived_s, connected_s_) > connection_.odometry.silent_max_s)
       return fmt::format("{} is silent", needed[1].topic);
     if (now_s - state.jump_s < kAfterJump_s) return state.jump;
-    // By their stamps: what is late arrives as regularly as what is not.
     const double scan_late_s = state.trail.newest_s() - state.newest_scan_end_s;
     if (scan_late_s > contact_.vehicle.cycle_s + connection_.commands.age_max_s)
       return fmt::format("{} is far behind {}", needed[0].topic, needed[1].topic);
