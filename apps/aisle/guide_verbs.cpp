@@ -40,12 +40,13 @@ void add_go_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<GuideOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
   verb->add_option("PLACE", options->place,
-                   "goal: name of a place or of a corridor node (\"end 1\"), or x,y in the map frame [m]");
+                   "goal: name of a place or of a corridor node (\"end 1\"), or x,y in the map frame [m]; "
+                   "with --connect and without it: the goals of the robot's viewer, on /goal_pose");
   add_mission_options(*verb, *options);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {
     require(*options);
-    if (options->place.empty()) throw CLI::RequiredError("PLACE");
+    if (options->place.empty() && options->connection.empty()) throw CLI::RequiredError("PLACE");
     work = live.around([options](Console& console, const auto&) { return run_go(*options, console); });
   });
 }

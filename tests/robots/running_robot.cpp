@@ -12,8 +12,9 @@
 
 namespace robots {
 
-RunningRobot::RunningRobot(const std::vector<std::string>& arguments) {
-  std::vector<char*> argv = {const_cast<char*>(MUJOCO_ROBOT)};
+RunningRobot::RunningRobot(const std::vector<std::string>& arguments, std::string program) {
+  if (program.empty()) program = MUJOCO_ROBOT;
+  std::vector<char*> argv = {program.data()};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   int ends[2];
@@ -23,7 +24,7 @@ RunningRobot::RunningRobot(const std::vector<std::string>& arguments) {
   if (process_ == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(ends[1], STDOUT_FILENO);
-    execv(MUJOCO_ROBOT, argv.data());
+    execv(program.c_str(), argv.data());
     _exit(127);
   }
   close(ends[1]);
@@ -49,8 +50,12 @@ nlohmann::json RunningRobot::wait_until_ready() const {
   return nlohmann::json::parse(line).at("vehicle");
 }
 
+void RunningRobot::signal(int number) const {
+  kill(process_, number);
+}
+
 int RunningRobot::stop() {
-  kill(process_, SIGTERM);
+  signal(SIGTERM);
   return wait();
 }
 
@@ -60,9 +65,9 @@ int RunningRobot::wait() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-unsigned domain_of_this_process() {
+unsigned domain_of_this_process(unsigned offset) {
   constexpr unsigned kFirst = 20, kCount = 80;
-  return kFirst + static_cast<unsigned>(getpid()) % kCount;
+  return kFirst + (static_cast<unsigned>(getpid()) + offset) % kCount;
 }
 
 }  // namespace robots

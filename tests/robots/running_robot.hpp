@@ -8,11 +8,12 @@
 
 namespace robots {
 
-/// The program mujoco_robot as a child process: started by the constructor, killed by the destructor, and by
-/// the end of this process.
+/// A robot's program as a child process: started by the constructor, killed by the destructor, and by the end
+/// of this process.
 class RunningRobot {
  public:
-  explicit RunningRobot(const std::vector<std::string>& arguments);
+  /// @param program  its path; empty: mujoco_robot
+  explicit RunningRobot(const std::vector<std::string>& arguments, std::string program = {});
   ~RunningRobot();
   RunningRobot(const RunningRobot&) = delete;
   RunningRobot& operator=(const RunningRobot&) = delete;
@@ -20,6 +21,7 @@ class RunningRobot {
   /// @return the vehicle's measures, as the robot prints them. Throws std::runtime_error if it ends instead,
   /// or is not ready after a minute.
   nlohmann::json wait_until_ready() const;
+  void signal(int number) const;
   /// Asks it to end. @return as wait()
   int stop();
   /// @return its exit code; negative: it was killed
@@ -31,6 +33,7 @@ class RunningRobot {
 };
 
 /// A domain that no other test is likely to be in at the same time.
-unsigned domain_of_this_process();
+/// @param offset  0 to 79, for tests that need several
+unsigned domain_of_this_process(unsigned offset = 0);
 
 }  // namespace robots

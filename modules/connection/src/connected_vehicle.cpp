@@ -19,9 +19,11 @@ namespace {
 
 constexpr double kAsk_s = 0.02;           // how long it waits before it looks again
 constexpr double kOdometryWait_s = 0.06;  // for odometry as new as the scan
-constexpr double kLookAtTopic_s = 0.25;   // how often it looks who else commands
-constexpr double kClockStands_s = 10;     // of aisle's own time
-constexpr double kOdometryGone = 2;       // times silent_max_s: the mission ends
+constexpr double kLookAtTopic_s = 0.1;    // how often it looks who else commands
+constexpr double kClockLate_s = 0.5;      // of aisle's own time: held
+constexpr double kClockStands_s = 10;     // of aisle's own time: the mission ends
+constexpr double kOdometryGone = 4;       // times silent_max_s: the mission ends
+constexpr double kAfterJump_s = 1;        // it stands still for so long after a jump that was left out
 
 bool is_silent(const SwitchState& state, double silent_max_s, double now_s) {
   return silent_max_s > 0 && now_s - state.arrived_s > silent_max_s;
@@ -81,6 +83,8 @@ class ConnectedVehicle::Cycle {
     counts.commands_aged = outlet_.aged();
     counts.holds = holds_;
     counts.held_s = held_s_;
+    counts.scan_age_s = intake_->now_s() - intake_->state().scan_arrived_s;
+    counts.odometry_age_s = intake_->now_s() - intake_->state().odometry_arrived_s;
     return counts;
   }
 
@@ -127,13 +131,19 @@ class ConnectedVehicle::Cycle {
     if (connection_.clock == ConnectedClock::kRos &&
         surroundings_.clock.now_s() - state.clock_arrived_s > kClockStands_s)
       return fmt::format("/clock stands still for {:.0f} s", kClockStands_s);
+    const auto needed = intake_->needed_topics();
     if (silent_s(state.scan_arrived_s) > connection_.scan.silent_max_s)
-      return fmt::format("{} silent for {:.1f} s", connection_.topic(connection_.scan.topic),
-                         connection_.scan.silent_max_s);
+      return silence(needed[0], connection_.scan.silent_max_s);
     const double odometry_max_s = kOdometryGone * connection_.odometry.silent_max_s;
-    if (silent_s(state.odometry_arrived_s) > odometry_max_s)
-      return fmt::format("{} silent for {:.1f} s", intake_->needed_topics()[1].topic, odometry_max_s);
+    if (silent_s(state.odometry_arrived_s) > odometry_max_s) return silence(needed[1], odometry_max_s);
     return {};
+  }
+
+  std::string silence(const NeededTopic& needed, double silent_s) const {
+    const auto& unreadable = intake_->state().unreadable_in_a_row;
+    const bool arrives = unreadable.count(needed.type) > 0 && unreadable.at(needed.type) > 0;
+    return fmt::format("{} silent for {:.1f} s{}", needed.topic, silent_s,
+                       arrives ? fmt::format(": what arrives cannot be read as {}", needed.type) : "");
   }
 
   std::string why_held() const {
@@ -145,8 +155,18 @@ class ConnectedVehicle::Cycle {
       if (is_silent(state.emergency_stops[i], connection_.emergency_stops[i].silent_max_s, now_s))
         return fmt::format("the emergency stop {} is silent", topic);
     }
+    if (connection_.clock == ConnectedClock::kRos &&
+        surroundings_.clock.now_s() - state.clock_arrived_s > kClockLate_s)
+      return "/clock stands still";
+    const auto needed = intake_->needed_topics();
     if (now_s - std::max(state.odometry_arrived_s, connected_s_) > connection_.odometry.silent_max_s)
-      return fmt::format("{} is silent", intake_->needed_topics()[1].topic);
+      return fmt::format("{} is silent", needed[1].topic);
+    if (now_s - state.jump_s < kAfterJump_s) return state.jump;
+    const double scan_late_s = state.trail.newest_s() - state.newest_scan_end_s;
+    if (scan_late_s > contact_.vehicle.cycle_s + connection_.commands.age_max_s)
+      return fmt::format("{} is far behind {}", needed[0].topic, needed[1].topic);
+    if (-scan_late_s > contact_.vehicle.cycle_s + connection_.odometry.silent_max_s)
+      return fmt::format("{} is far behind {}", needed[1].topic, needed[0].topic);
     return obstacle_;
   }
 

@@ -17,8 +17,9 @@ namespace {
 constexpr std::size_t kScansWaiting = 2;
 constexpr std::size_t kPeriodsKept = 5;
 constexpr double kClockJump_s = 1;
-constexpr double kSweepMax_s = 10;    // no scanner takes longer for a scan
-constexpr double kLeapsApart_s = 10;  // two leaps within this: the odometry is broken
+constexpr double kSweepMax_s = 10;        // no scanner takes longer for a scan
+constexpr double kLeapsApart_s = 10;      // two leaps within this: the odometry is broken
+constexpr double kJumpsTogether_s = 0.5;  // within this, what jumps later does so for the same reason
 constexpr int kUnreadableInARow = 10;
 constexpr double kUnreadableShare = 0.01;
 constexpr std::size_t kUnreadableLeast = 10;
@@ -69,7 +70,9 @@ void RobotIntake::wait_for_odometry(std::unique_lock<std::mutex>& lock, double s
 }
 
 double RobotIntake::now_s() const {
-  return connection_.clock == ConnectedClock::kRos ? state_.ros_clock_s.value_or(0) : clock_.now_s();
+  return connection_.clock == ConnectedClock::kRos
+             ? state_.ros_clock_s.value_or(0) - state_.ros_clock_skipped_s
+             : clock_.now_s();
 }
 
 Problems RobotIntake::subscribe(Wire& wire) {
@@ -113,17 +116,20 @@ Problems RobotIntake::subscribe_switches(Wire& wire, const std::vector<Connected
                                          std::vector<SwitchState>& states) {
   states.resize(switches.size());
   for (std::size_t i = 0; i < switches.size(); ++i) {
-    auto subscription = wire.subscribe(connection_.topic(switches[i].topic), ros::Bool::kType,
-                                       WireQuality::kSensor, [this, &state = states[i]](std::string_view b) {
-                                         arrive<ros::Bool>(b, [&](const ros::Bool& message) {
-                                           state.is_pressed = message.data;
-                                           state.was_pressed |= message.data;
-                                           state.arrived_s = now_s();
-                                           return true;
+    // Latched as well: one that was pressed before this program began says so once, if at all.
+    for (const WireQuality quality : {WireQuality::kSensor, WireQuality::kLatched}) {
+      auto subscription = wire.subscribe(connection_.topic(switches[i].topic), ros::Bool::kType, quality,
+                                         [this, &state = states[i]](std::string_view bytes) {
+                                           arrive<ros::Bool>(bytes, [&](const ros::Bool& message) {
+                                             state.is_pressed = message.data;
+                                             state.was_pressed |= message.data;
+                                             state.arrived_s = now_s();
+                                             return true;
+                                           });
                                          });
-                                       });
-    if (!subscription) return subscription.problems();
-    subscriptions_.push_back(std::move(*subscription));
+      if (!subscription) return subscription.problems();
+      subscriptions_.push_back(std::move(*subscription));
+    }
   }
   return {};
 }
@@ -137,13 +143,13 @@ void RobotIntake::arrive(std::string_view bytes, const Take& take) {
     ++counts.messages;
     has_news_ = true;
     if (message && take(*message)) {
-      state_.unreadable_in_a_row = 0;
+      state_.unreadable_in_a_row[Message::kType] = 0;
     } else {
       ++counts.unreadable;
       const bool are_many =
           counts.unreadable >= kUnreadableLeast &&
           static_cast<double>(counts.unreadable) > kUnreadableShare * static_cast<double>(counts.messages);
-      if (++state_.unreadable_in_a_row >= kUnreadableInARow || are_many)
+      if (++state_.unreadable_in_a_row[Message::kType] >= kUnreadableInARow || are_many)
         be_broken(fmt::format("{} of {} messages cannot be read, the last of them {}", counts.unreadable,
                               counts.messages, Message::kType));
     }
@@ -165,8 +171,11 @@ bool RobotIntake::take_scan(const ros::LaserScan& message) {
   if (state_.newest_scan_s) {
     const double gap_s = stamp_s - *state_.newest_scan_s;
     if (gap_s < -kClockJump_s)
-      be_broken(fmt::format("the clock of its scans jumped back by {:.1f} s", -gap_s));
-    if (gap_s > kClockJump_s) ++state_.counts.clock_gaps;
+      be_broken(fmt::format("the stamps of {} jumped back by {:.1f} s", needed_topics()[0].topic, -gap_s));
+    if (gap_s > kClockJump_s) {
+      ++state_.counts.clock_gaps;
+      note_jump(fmt::format("the stamps of {} jumped ahead by {:.1f} s", needed_topics()[0].topic, gap_s));
+    }
     if (gap_s <= 0) {
       ++state_.counts.out_of_order;
       return true;
@@ -174,6 +183,7 @@ bool RobotIntake::take_scan(const ros::LaserScan& message) {
     if (state_.scan_periods_s.size() < kPeriodsKept) state_.scan_periods_s.push_back(gap_s);
   }
   state_.newest_scan_s = stamp_s;
+  state_.newest_scan_end_s = end_of_scan_s(*scan);
   state_.scan_arrived_s = now_s();
   state_.scan_pace.take(now_s(), age_s(stamp_s));
   state_.scans.push_back(std::move(*scan));
@@ -223,6 +233,11 @@ bool RobotIntake::take_clock(const ros::Clock& message) {
   const double clock_s = ros::stamp_s(ros::stamp_ns(message.clock));
   if (state_.ros_clock_s && clock_s < *state_.ros_clock_s - kClockJump_s)
     be_broken(fmt::format("/clock jumped back by {:.1f} s", *state_.ros_clock_s - clock_s));
+  if (const double ahead_s = clock_s - state_.ros_clock_s.value_or(clock_s); ahead_s > kClockJump_s) {
+    state_.ros_clock_skipped_s += ahead_s;
+    ++state_.counts.clock_gaps;
+    note_jump(fmt::format("/clock jumped ahead by {:.1f} s", ahead_s));
+  }
   if (!state_.ros_clock_s || clock_s > *state_.ros_clock_s) state_.clock_arrived_s = clock_.now_s();
   state_.ros_clock_s = clock_s;
   return true;
@@ -237,6 +252,13 @@ bool RobotIntake::take_pose(double stamp_s, const ros::Vector3& position,
 bool RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
   const Vec2& p_base_axle_m = connection_.frames.p_base_axle_m;
   const double now = now_s();
+  const double gap_s = state_.trail.empty() ? 0 : stamp_s - state_.trail.newest_s();
+  if (std::abs(gap_s) > kClockJump_s) {
+    const std::string jump = fmt::format("the stamps of {} jumped {} by {:.1f} s", needed_topics()[1].topic,
+                                         gap_s < 0 ? "back" : "ahead", std::abs(gap_s));
+    if (gap_s < 0) be_broken(jump);
+    note_jump(jump);
+  }
   switch (state_.trail.take(stamp_s, T_odom_base * Pose2{p_base_axle_m.x(), p_base_axle_m.y(), 0})) {
     case OdometryTrail::Taken::kMotion:
       break;
@@ -248,6 +270,7 @@ bool RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
       break;
     case OdometryTrail::Taken::kLeap:
       ++state_.counts.odometry_leaps;
+      note_jump("its odometry leapt");
       if (now - state_.leap_arrived_s < kLeapsApart_s)
         be_broken(fmt::format("its odometry leapt twice in {:.0f} s", kLeapsApart_s));
       state_.leap_arrived_s = now;
@@ -274,6 +297,12 @@ double RobotIntake::robot_time_s() const {
   const double newest_s = std::max(state_.newest_scan_s.value_or(0), state_.trail.newest_s());
   const double since_s = now_s() - std::max(state_.scan_arrived_s, state_.odometry_arrived_s);
   return std::max(0.0, newest_s + std::max(0.0, since_s));
+}
+
+void RobotIntake::note_jump(std::string what) {
+  const bool is_another = now_s() - state_.jump_s > kJumpsTogether_s;
+  if (is_another) state_.jump = std::move(what);
+  state_.jump_s = now_s();
 }
 
 void RobotIntake::be_broken(std::string why) {

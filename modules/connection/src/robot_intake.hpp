@@ -77,6 +77,7 @@ class RobotIntake {
 
   ros::Stamp_ns stamp_of(const ros::Header& header) const;
   double age_s(double stamp_s) const;
+  void note_jump(std::string what);
   void be_broken(std::string why);
 
   const Connection connection_;

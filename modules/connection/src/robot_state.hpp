@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct RobotState {
   double scan_arrived_s = kNever_s;
   TopicPace scan_pace;
   std::optional<double> newest_scan_s;
+  double newest_scan_end_s = kNever_s;
   std::vector<double> scan_periods_s;  ///< of the first scans
 
   OdometryTrail trail;
@@ -45,11 +47,14 @@ struct RobotState {
   std::vector<SwitchState> emergency_stops;  ///< as in the connection
   std::optional<double> charge;              ///< of the battery, 0 to 1
   std::optional<double> ros_clock_s;
+  double ros_clock_skipped_s = 0;  ///< in jumps ahead, which are no time that passed
   double clock_arrived_s = kNever_s;
 
-  int unreadable_in_a_row = 0;
+  std::map<std::string, int> unreadable_in_a_row;  ///< by type
   ConnectionCounts counts;
-  std::string broken;  ///< why what the robot says makes no sense any more; empty: it does
+  std::string jump;          ///< the last one that was left out, of odometry or a clock
+  double jump_s = kNever_s;  ///< when it arrived
+  std::string broken;        ///< why what the robot says makes no sense any more; empty: it does
 };
 
 }  // namespace aisle

@@ -7,6 +7,8 @@
 #include <array>
 #include <type_traits>
 
+#include "aisle/formats/sessions/diagnostic_messages.hpp"
+
 namespace aisle {
 namespace {
 
@@ -181,6 +183,7 @@ AISLE_MESSAGE(TwistStamped)
 AISLE_MESSAGE(AckermannDriveStamped)
 AISLE_MESSAGE(BatteryState)
 AISLE_MESSAGE(Clock)
+AISLE_MESSAGE(DiagnosticArray)
 AISLE_MESSAGE(Odometry)
 AISLE_MESSAGE(TFMessage)
 AISLE_MESSAGE(PoseWithCovarianceStamped)

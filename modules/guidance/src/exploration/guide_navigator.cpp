@@ -55,7 +55,9 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
     : params_(params),
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
-      localiser_(params.localiser, sensor_->scanner(), building.walls, about_start(T_map_start, params)),
+      walls_(building.walls),
+      localiser_(std::in_place, params.localiser, sensor_->scanner(), walls_,
+                 about_start(T_map_start, params)),
       has_barriers_(!building.barriers.empty()),
       floor_(floor_of(building, params.legs)),
       search_(params.search, vehicle),
@@ -76,13 +78,29 @@ Decision GuideNavigator::step(const Observation& observation) {
   return drive(observation);
 }
 
+void GuideNavigator::send_to(std::vector<Vec2> p_map_places, double stamp_s) {
+  p_map_places_ = std::move(p_map_places);
+  next_ = 0;
+  progress_s_ = stamp_s;
+  relaxes_clearance_ = false;
+  drop_path();
+}
+
+void GuideNavigator::relocate(const Pose2& T_map_vehicle, double stamp_s) {
+  localiser_.emplace(params_.localiser, sensor_->scanner(), walls_, about_start(T_map_vehicle, params_));
+  T_map_vehicle_ = T_map_vehicle;
+  T_scan_vehicle_ = {};
+  localised_s_ = progress_s_ = stamp_s;
+  drop_path();
+}
+
 void GuideNavigator::locate(const Observation& observation) {
   T_scan_vehicle_ = T_scan_vehicle_ * odometry_step(vehicle_, observation.odometry);
   const bool sees = sensor_->look(observation, view_);
-  if (sees) localiser_.take_scan(view_.ranges_m, std::exchange(T_scan_vehicle_, {}));
-  T_map_vehicle_ = localiser_.T_map_vehicle().mean * T_scan_vehicle_;
-  if (!localiser_.is_doubtful()) localised_s_ = observation.stamp_s;
-  if (sees && !localiser_.is_doubtful()) look_at_floor(observation.stamp_s);
+  if (sees) localiser_->take_scan(view_.ranges_m, std::exchange(T_scan_vehicle_, {}));
+  T_map_vehicle_ = localiser_->T_map_vehicle().mean * T_scan_vehicle_;
+  if (!localiser_->is_doubtful()) localised_s_ = observation.stamp_s;
+  if (sees && !localiser_->is_doubtful()) look_at_floor(observation.stamp_s);
 }
 
 void GuideNavigator::look_at_floor(double stamp_s) {
@@ -102,7 +120,7 @@ std::string GuideNavigator::why_failed(const Observation& observation) {
   if (observation.bumper_pressed) return "the bumper is pressed";
   if (observation.stamp_s - localised_s_ > params_.lost_s)
     return "lost: what it sees fits no walls that it knows";
-  if (observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
+  if (next_ == p_map_places_.size() || observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
   const Vec2& p = p_map_places_[next_];
   return fmt::format("there is no path to {:.1f}, {:.1f}{}", p.x(), p.y(),
                      has_barriers_ ? " that crosses neither keep-out lines nor glass" : "");

@@ -70,20 +70,6 @@ std::size_t node_nearest(const CorridorGraph& graph, const Vec2& p_map) {
   return static_cast<std::size_t>(nearest - graph.nodes.begin());
 }
 
-Problems check_guidable(const Building& building, const VehicleDescription& vehicle) {
-  Problems problems;
-  const auto need = [&](bool is_there, const char* key) {
-    if (!is_there)
-      problems.push_back(
-          {{"", 0, key}, "are missing: the building was not explored; 'aisle explore' does that"});
-  };
-  need(!building.walls.walls.empty(), "walls");
-  need(!building.corridors.nodes.empty(), "corridors");
-  need(building.floor && !building.floor->known().empty(), "floor.rows");
-  if (!vehicle.scanner) problems.push_back({{"", 0, "scanner"}, "is missing: the vehicle cannot see walls"});
-  return problems;
-}
-
 Result<Goal> goal_of(const Building& building, const std::string& text) {
   const std::size_t space = text.find(' ');
   const std::string verb = text.substr(0, space),
@@ -97,6 +83,20 @@ Result<Goal> goal_of(const Building& building, const std::string& text) {
 }
 
 }  // namespace
+
+Problems check_guidable(const Building& building, const VehicleDescription& vehicle) {
+  Problems problems;
+  const auto need = [&](bool is_there, const char* key) {
+    if (!is_there)
+      problems.push_back(
+          {{"", 0, key}, "are missing: the building was not explored; 'aisle explore' does that"});
+  };
+  need(!building.walls.walls.empty(), "walls");
+  need(!building.corridors.nodes.empty(), "corridors");
+  need(building.floor && !building.floor->known().empty(), "floor.rows");
+  if (!vehicle.scanner) problems.push_back({{"", 0, "scanner"}, "is missing: the vehicle cannot see walls"});
+  return problems;
+}
 
 Pose2 home_of(const Building& building) {
   const auto home = std::find_if(building.places.begin(), building.places.end(),

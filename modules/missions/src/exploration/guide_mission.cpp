@@ -42,16 +42,27 @@ class GuideMissionRecorder final : public MissionRecorder {
   GuideMissionResult& result_;
 };
 
-}  // namespace
-
-Result<GuideMissionResult> drive_guide_mission(Vehicle& vehicle, const TruthSource* truth,
-                                               GuideDriver& driver, std::optional<SessionRecord>& session,
-                                               Progress& progress) {
+/// @param driver  GuideDriver or GoalFollower
+Result<GuideMissionResult> driven(Vehicle& vehicle, const TruthSource* truth, auto& driver,
+                                  std::optional<SessionRecord>& session, Progress& progress) {
   GuideMissionResult result;
   GuideMissionRecorder record(session, vehicle, truth, driver.navigator(), result);
   if (Problems problems = drive_mission(vehicle, truth, driver, record, progress, result); !problems.empty())
     return problems;
   return result;
+}
+
+}  // namespace
+
+Result<GuideMissionResult> drive_guide_mission(Vehicle& vehicle, const TruthSource* truth,
+                                               GuideDriver& driver, std::optional<SessionRecord>& session,
+                                               Progress& progress) {
+  return driven(vehicle, truth, driver, session, progress);
+}
+
+Result<GuideMissionResult> follow_goals(Vehicle& vehicle, GoalFollower& follower,
+                                        std::optional<SessionRecord>& session, Progress& progress) {
+  return driven(vehicle, nullptr, follower, session, progress);
 }
 
 double graph_coverage(const CorridorGraph& graph, const std::vector<Pose2>& T_map_vehicle,

@@ -12,8 +12,8 @@ namespace aisle {
 
 struct GuideOptions {
   std::filesystem::path building;
-  std::string place;                 ///< `go`: the goal, a name or "x,y" in the map [m]
-  int rounds = 1;                    ///< `patrol`
+  std::string place;  ///< `go`: the goal, a name or "x,y" in the map [m]; empty: the robot's viewer
+  int rounds = 1;     ///< `patrol`
   std::filesystem::path connection;  ///< a robot's connection file; empty: drives in the simulator
   std::string world;                 ///< world or floor plan: file or shipped name
   double plan_pixel_m = 0.05;        ///< side of a plan's pixel, unless its file gives it
@@ -27,7 +27,7 @@ struct GuideOptions {
 };
 
 /// `aisle go BUILDING PLACE --world WORLD` (or `--connect FILE`): drives from home to a place in an explored
-/// building.
+/// building. With a robot and without a place: to the goals of its viewer, on /goal_pose.
 Result<Outcome> run_go(const GuideOptions& options, Console& console);
 
 /// `aisle patrol BUILDING --world WORLD --rounds N`: drives along all corridors, about once per round, and

@@ -17,6 +17,8 @@ struct ConnectionCounts {
   std::size_t commands_aged = 0;   ///< replaced by: stop
   std::size_t holds = 0;           ///< how often the vehicle was held
   double held_s = 0;               ///< how long
+  double scan_age_s = 0;           ///< since the latest one arrived
+  double odometry_age_s = 0;       ///< the same
 };
 
 }  // namespace aisle

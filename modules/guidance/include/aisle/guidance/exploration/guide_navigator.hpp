@@ -53,8 +53,13 @@ class GuideNavigator final : public Navigator {
 
   Decision step(const Observation& observation) override;
 
+  /// Other places, instead of those that it has not reached; none: it stands.
+  void send_to(std::vector<Vec2> p_map_places, double stamp_s);
+  /// It is somewhere else than it believed.
+  void relocate(const Pose2& T_map_vehicle, double stamp_s);
+
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
-  const WallLocaliser& localiser() const { return localiser_; }
+  const WallLocaliser& localiser() const { return *localiser_; }
   std::size_t places_reached() const { return next_; }
   /// How often a path was dropped because it was no longer free.
   std::size_t ways_closed() const { return ways_closed_; }
@@ -77,7 +82,8 @@ class GuideNavigator final : public Navigator {
   GuideNavigatorParams params_;
   VehicleDescription vehicle_;
   std::unique_ptr<ScanSource> sensor_;
-  WallLocaliser localiser_;
+  const WallMap& walls_;
+  std::optional<WallLocaliser> localiser_;  ///< never empty
   bool has_barriers_;
   KnownFloor floor_;
   StagedSearch search_;

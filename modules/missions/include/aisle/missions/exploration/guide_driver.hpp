@@ -29,6 +29,9 @@ Result<Goal> patrol_goal(const Building& building, int rounds);
 /// Where missions in a building begin: its place "home", else the map's origin.
 Pose2 home_of(const Building& building);
 
+/// Why goals in a building cannot be driven to: it has no walls, floor or corridors, the vehicle no scanner.
+Problems check_guidable(const Building& building, const VehicleDescription& vehicle);
+
 /// Owns the building that its navigator drives in.
 class GuideDriver final : public Navigator {
  public:
