@@ -51,14 +51,23 @@ export class MissionFields {
   #input(field: Field): Input {
     if (field.kind === "yes") return element("input", { type: "checkbox" });
     if (["building", "session", "route", "place", "method"].includes(field.kind)) {
-      const list = element("select", {});
+      const list = element("select", { required: field.is_needed });
       if (field.kind === "building")
         list.addEventListener("change", () => void this.buildings.choose(list.value));
       return list;
     }
     const placeholder = field.is_needed ? "" : field.kind === "text" ? "default" : "not saved";
+    if (field.kind === "count")
+      return element("input", { type: "number", min: 1, max: 1000, step: 1, placeholder: "1" });
     const pattern = field.kind === "text" ? undefined : name_pattern;
-    return element("input", { type: "text", placeholder, pattern, autocomplete: "off", spellcheck: "false" });
+    return element("input", {
+      type: "text",
+      placeholder,
+      pattern,
+      required: field.is_needed,
+      autocomplete: "off",
+      spellcheck: "false",
+    });
   }
 
   #refill_list(field: Field, list: HTMLSelectElement): void {
@@ -72,7 +81,7 @@ export class MissionFields {
   #names(field: Field): string[] {
     const building = this.buildings.building.value;
     if (field.kind === "building") return this.buildings.names.value;
-    if (field.kind === "session") return this.sessions.sessions.value.map(({ name }) => name);
+    if (field.kind === "session") return (this.sessions.sessions.value ?? []).map(({ name }) => name);
     if (field.kind === "route") return (building?.routes ?? []).map(({ name }) => name);
     if (field.kind === "place") return (building?.places ?? []).map(({ name }) => name);
     return field.choices ?? [];
@@ -83,7 +92,7 @@ export class MissionFields {
     if (kind === "new_session")
       return fresh_name(
         "taught-",
-        this.sessions.sessions.value.map(({ name }) => name),
+        (this.sessions.sessions.value ?? []).map(({ name }) => name),
       );
     return "";
   }

@@ -1,7 +1,16 @@
 /** The fields of each mission: the table of docs/reference/live-server.md. */
 
 export type FieldKind =
-  "new_session" | "session" | "new_building" | "building" | "route" | "place" | "text" | "yes" | "method";
+  | "new_session"
+  | "session"
+  | "new_building"
+  | "building"
+  | "route"
+  | "place"
+  | "text"
+  | "count"
+  | "yes"
+  | "method";
 
 export interface Field {
   key: string;
@@ -85,7 +94,7 @@ export const mission_forms: MissionForm[] = [
     label: "Patrol",
     begin: "Patrol",
     about: "Drives to all places of the building in turn.",
-    fields: [building, { key: "rounds", label: "Rounds", kind: "text" }, keep_session],
+    fields: [building, { key: "rounds", label: "Rounds", kind: "count" }, keep_session],
   },
   {
     mission: "park",

@@ -38,6 +38,8 @@ export class MazeCanvas {
 
   #cursor: Cell = { x: 0, y: 0 };
   #drawing: boolean | undefined;
+  /** The last point of the stroke. */
+  #last: { u: number; v: number } | undefined;
   readonly #sheet: Sheet;
 
   constructor(private readonly actions: Actions) {
@@ -91,14 +93,24 @@ export class MazeCanvas {
     }
     const edge = edge_at(this.maze, this.#frame(), event.offsetX, event.offsetY);
     if (!edge) return;
+    this.#last = { u: event.offsetX, v: event.offsetY };
     this.#drawing = !this.maze.has_wall(edge.cell, edge.side);
     this.actions.wall(edge, this.#drawing, true);
   }
 
   #move(event: PointerEvent): void {
     if (this.#drawing === undefined) return;
-    const edge = edge_at(this.maze, this.#frame(), event.offsetX, event.offsetY);
-    if (edge) this.actions.wall(edge, this.#drawing, false);
+    const to = { u: event.offsetX, v: event.offsetY };
+    const from = this.#last ?? to;
+    this.#last = to;
+    const frame = this.#frame();
+    const steps = Math.ceil((4 * Math.hypot(to.u - from.u, to.v - from.v)) / frame.cell_px) || 1;
+    for (let step = 1; step <= steps; step += 1) {
+      const [u, v] = [from.u + ((to.u - from.u) * step) / steps, from.v + ((to.v - from.v) * step) / steps];
+      const edge = edge_at(this.maze, frame, u, v, true);
+      if (edge && this.maze.has_wall(edge.cell, edge.side) !== this.#drawing)
+        this.actions.wall(edge, this.#drawing, false);
+    }
   }
 
   #key(event: KeyboardEvent): void {

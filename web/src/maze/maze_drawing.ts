@@ -43,14 +43,10 @@ function fill_cell(context: Context, frame: MazeFrame, { x, y }: Cell, style: st
 }
 
 function edge(context: Context, frame: MazeFrame, { x, y }: Cell, side: Side): void {
-  const [from, to] = {
-    N: [corner(frame, x, y + 1), corner(frame, x + 1, y + 1)],
-    E: [corner(frame, x + 1, y), corner(frame, x + 1, y + 1)],
-    S: [corner(frame, x, y), corner(frame, x + 1, y)],
-    W: [corner(frame, x, y), corner(frame, x, y + 1)],
-  }[side] as [[number, number], [number, number]];
-  context.moveTo(...from);
-  context.lineTo(...to);
+  const [left, low] = [side === "E" ? x + 1 : x, side === "N" ? y + 1 : y];
+  const is_level = side === "N" || side === "S";
+  context.moveTo(...corner(frame, left, low));
+  context.lineTo(...corner(frame, is_level ? left + 1 : left, is_level ? low : low + 1));
 }
 
 export function draw_grid(context: Context, frame: MazeFrame, maze: Maze): void {
@@ -75,7 +71,9 @@ export function draw_walls(context: Context, frame: MazeFrame, maze: Maze, known
     context.beginPath();
     for (const cell of maze.cells()) {
       for (const side of sides) {
-        if (maze.has_wall(cell, side) && seen(cell, side) === is_seen) edge(context, frame, cell, side);
+        const is_drawn_by_neighbour = (side === "S" && cell.y > 0) || (side === "W" && cell.x > 0);
+        if (!is_drawn_by_neighbour && maze.has_wall(cell, side) && seen(cell, side) === is_seen)
+          edge(context, frame, cell, side);
       }
     }
     context.stroke();

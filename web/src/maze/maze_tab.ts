@@ -110,38 +110,42 @@ export function maze_tab(app: App): Tab {
     "div",
     { class: "tab maze-tab" },
     panel("Maze", "maze-panel", canvas.element),
-    panel(
-      "Draw",
-      "maze-draw",
-      element("div", { class: "buttons line" }, tool.field, undo, redo),
-      element(
-        "div",
-        { class: "buttons line" },
-        width,
-        "x",
-        height,
-        button("Empty", () => begin((w, h) => new Maze(w, h))),
-        button("Random", () => begin((w, h) => random_maze(w, h, 0.08, Math.random))),
+    element(
+      "div",
+      { class: "maze-side" },
+      panel(
+        "Draw",
+        "maze-draw",
+        element("div", { class: "buttons line" }, tool.field, undo, redo),
+        element(
+          "div",
+          { class: "buttons line" },
+          width,
+          "x",
+          height,
+          button("Empty", () => begin((w, h) => new Maze(w, h))),
+          button("Random", () => begin((w, h) => random_maze(w, h, 0.08, Math.random))),
+        ),
+        element(
+          "div",
+          { class: "buttons line" },
+          button("Load", () => file.click()),
+          button("Save text", () => download_text("maze.txt", maze_picture(history.present))),
+          button("Save num", () => download_text("maze.num", maze_numbers(history.present))),
+          file,
+        ),
       ),
-      element(
-        "div",
-        { class: "buttons line" },
-        button("Load", () => file.click()),
-        button("Save text", () => download_text("maze.txt", maze_picture(history.present))),
-        button("Save num", () => download_text("maze.num", maze_numbers(history.present))),
-        file,
+      panel(
+        "Explore",
+        "maze-run",
+        rule_list.field,
+        element(
+          "div",
+          { class: "buttons" },
+          button("Explore", () => void explore(), { class: "primary" }),
+        ),
+        player.element,
       ),
-    ),
-    panel(
-      "Explore",
-      "maze-run",
-      rule_list.field,
-      element(
-        "div",
-        { class: "buttons" },
-        button("Explore", () => void explore(), { class: "primary" }),
-      ),
-      player.element,
     ),
   );
   show();

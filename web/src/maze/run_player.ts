@@ -4,6 +4,8 @@ import { false_walls, known_after } from "./maze_run";
 import type { MazeRun } from "./maze_run";
 
 const input_px = 76;
+/** A long stack would take longer to lay out than a frame. */
+const stack_shown = 40;
 const directions = { N: "up", E: "right", S: "down", W: "left", "": "stop" };
 
 /** Steps through a run: state, input, rule and stack of each learning cycle. */
@@ -23,7 +25,7 @@ export class RunPlayer {
   readonly #symbol = element("dd", {});
   readonly #rule = element("dd", { class: "rule" });
   readonly #move = element("dd", {});
-  readonly #stack = element("ol", { class: "stack", "aria-label": "Stack, top first" });
+  readonly #stack = element("ol", { class: "stack", tabindex: 0, "aria-label": "Stack, top first" });
   readonly #figures = element("p", { class: "about", role: "status" });
   #run: MazeRun | undefined;
   #count = 0;
@@ -133,7 +135,10 @@ export class RunPlayer {
     set_text(this.#symbol, `${step.input}, ${step.input_kind}`);
     set_text(this.#move, directions[step.move]);
     set_text(this.#rule, step.rule);
-    this.#stack.replaceChildren(...step.stack.toReversed().map((symbol) => element("li", {}, symbol)));
+    const top = step.stack.slice(-stack_shown).toReversed();
+    const more = step.stack.length - top.length;
+    if (more > 0) top.push(`… ${more} more`);
+    this.#stack.replaceChildren(...top.map((symbol) => element("li", {}, symbol)));
     const context = this.#input.getContext("2d");
     if (context)
       draw_input(
