@@ -15,18 +15,13 @@ import { BuildingTools, tool_labels } from "./building_tools";
 import type { ToolName } from "./building_tools";
 
 /** The contents of a building in words. */
-function summary({ walls, landmarks, routes, places, barriers, floor }: Building): string {
-  const count = (parts: unknown[] | undefined, one: string, many: string) =>
-    parts?.length ? `${parts.length} ${parts.length === 1 ? one : many}` : "";
-  const known = [
-    count(walls, "wall", "walls"),
-    count(landmarks, "landmark", "landmarks"),
-    count(routes, "route", "routes"),
-    count(places, "place", "places"),
-    count(barriers, "drawn line", "drawn lines"),
-    floor ? "floor" : "",
-  ].filter(Boolean);
-  return known.join(", ") || "nothing yet";
+function summary(building: Building): string {
+  const known = Object.entries(text.building.counted).flatMap(([key, [one, many]]) => {
+    const count = (building[key as keyof Building] as unknown[] | undefined)?.length ?? 0;
+    return count === 0 ? [] : [`${count} ${count === 1 ? one : many}`];
+  });
+  if (building.floor) known.push(text.building.floor);
+  return known.join(", ") || text.building.nothing;
 }
 
 /**

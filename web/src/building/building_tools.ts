@@ -1,4 +1,5 @@
 import { colour } from "../page/theme";
+import { text } from "../text";
 import { draw_dots, draw_line } from "../plan/draw";
 import type { Point } from "../plan/geometry";
 import type { Layer, PlanCanvas, PlanTool } from "../plan/plan_canvas";
@@ -8,26 +9,7 @@ import type { Building } from "./building_file";
 
 export type ToolName = "look" | "place" | "delete" | "keep_out" | "glass" | "clear";
 
-export const tool_labels: { value: ToolName; label: string; hint: string }[] = [
-  { value: "look", label: "Look", hint: "Drag to move the plan, scroll or pinch to zoom." },
-  { value: "place", label: "Name a place", hint: "Click its position, then name it." },
-  {
-    value: "delete",
-    label: "Delete",
-    hint: "Click what is not really there: a wall, a landmark or a drawn line.",
-  },
-  { value: "keep_out", label: "Keep-out line", hint: "Drag a line: the vehicle does not cross it." },
-  {
-    value: "glass",
-    label: "Glass",
-    hint: "Drag along a pane that the sensors do not see: the vehicle does not drive into it.",
-  },
-  {
-    value: "clear",
-    label: "Clear the floor",
-    hint: "Drag over floor that is marked as occupied but is free.",
-  },
-];
+export const tool_labels = Object.entries(text.building.tools).map(([value, words]) => ({ value, ...words }));
 
 const near_px = 12;
 

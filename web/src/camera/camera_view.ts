@@ -17,7 +17,7 @@ const topic_form = /^\/camera\/([^/]+)\/image_raw(\/compressed)?$/;
 /** A camera's newest image, overlaid with what the navigator detected in it. */
 export class CameraView {
   readonly element: HTMLElement;
-  readonly #canvas = element("canvas", { role: "img", "aria-label": "Camera image" });
+  readonly #canvas = element("canvas", { role: "img", "aria-label": text.camera.image });
   readonly #empty = element("p", { class: "empty" }, text.camera.none);
   readonly #old = element("p", { class: "age", hidden: true });
   readonly #age: Age;

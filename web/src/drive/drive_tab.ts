@@ -25,9 +25,17 @@ function stage(app: App, plan: HTMLElement): HTMLElement {
     });
   const inset = () => (made.dataset["main"] === "plan" ? camera : plan);
   const show = (main: "plan" | "camera") => (made.dataset["main"] = main);
-  const show_for_driving = () =>
-    show(is_phone.matches && app.lease.token.value !== undefined ? "camera" : "plan");
-  app.lease.token.watch(show_for_driving);
+  const drives = () => app.lease.token.value !== undefined && (app.state.value?.driven_by_hand ?? false);
+  let was_driving = false;
+  const show_for_driving = () => show(is_phone.matches && drives() ? "camera" : "plan");
+  const follow_driving = () => {
+    if (drives() === was_driving) return;
+    was_driving = drives();
+    show_for_driving();
+  };
+  show_for_driving();
+  app.lease.token.watch(follow_driving);
+  app.state.watch(follow_driving);
   is_phone.addEventListener("change", show_for_driving);
   return made;
 }

@@ -1,6 +1,7 @@
 import type { BuildingStore } from "../building/building_store";
 import { element } from "../page/element";
 import type { SessionStore } from "../sessions/session_store";
+import { text } from "../text";
 import { fresh_name } from "./mission_forms";
 import type { Field, MissionForm } from "./mission_forms";
 
@@ -56,7 +57,11 @@ export class MissionFields {
         list.addEventListener("change", () => void this.buildings.choose(list.value));
       return list;
     }
-    const placeholder = field.is_needed ? "" : field.kind === "text" ? "default" : "not saved";
+    const placeholder = field.is_needed
+      ? ""
+      : field.kind === "text"
+        ? text.fields.default
+        : text.fields.not_saved;
     if (field.kind === "count")
       return element("input", { type: "number", min: 1, max: 1000, step: 1, placeholder: "1" });
     const pattern = field.kind === "text" ? undefined : name_pattern;
@@ -73,7 +78,7 @@ export class MissionFields {
   #refill_list(field: Field, list: HTMLSelectElement): void {
     const selected = field.kind === "building" ? this.buildings.chosen.value : list.value;
     const names = this.#names(field);
-    const first = field.is_needed ? [] : [option("", "default")];
+    const first = field.is_needed ? [] : [option("", text.fields.default)];
     list.replaceChildren(...first, ...names.map((name) => option(name)));
     if (names.includes(selected)) list.value = selected;
   }

@@ -1,4 +1,5 @@
 import { element } from "../page/element";
+import { text } from "../text";
 import { Sheet } from "../page/sheet";
 import { edge_at, cell_at } from "./maze_picking";
 import type { Edge } from "./maze_picking";
@@ -49,10 +50,7 @@ export class MazeCanvas {
       "data-arrows": "",
       role: "application",
     });
-    this.element.setAttribute(
-      "aria-label",
-      "Maze: arrow keys move the cursor, Shift and arrow keys add or remove a wall, S sets the start, G a goal",
-    );
+    this.element.setAttribute("aria-label", text.maze.canvas);
     this.element.addEventListener("pointerdown", (event) => this.#press(event));
     this.element.addEventListener("pointermove", (event) => this.#move(event));
     for (const end of ["pointerup", "pointercancel"]) {

@@ -70,6 +70,14 @@ test("The status line says when the shown data are old", () => {
   assert.match(status_of({ ...input, connection: "lost" }).text, /Not connected/);
 });
 
+test("The status line says how far, how long and where, and that a program has ended", () => {
+  const driving = { ...state, mode: "mission" as const, mission: "explore", distance_m: 12.34, stamp_s: 75 };
+  const { text } = status_of({ ...input, state: driving, at: { x: 3.21, y: -1 } });
+  assert.match(text, /explore; nobody holds the controls · 12\.3 m · 1:15 · 3\.2, -1\.0 m$/);
+  const gone = status_of({ ...input, connection: "lost", state: { ...driving, mode: "ended" } });
+  assert.deepEqual(gone, { lamp: "busy", text: "explore has ended and its program is gone" });
+});
+
 test("The status line says who drives", () => {
   assert.match(status_of({ ...input, drives_here: true }).text, /you hold the controls/);
   assert.match(status_of({ ...input, state: { ...state, lease_held: true } }).text, /somebody else/);
