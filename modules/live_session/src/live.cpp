@@ -34,6 +34,7 @@ class LiveRun {
         watched_{control_, console.warn, &control_} {
     control_.state().world = options.world;
     control_.state().vehicle = options.vehicle;
+    control_.state().keeps_buildings = !options.listening.buildings.empty();
   }
 
   /// Runs until it is interrupted. The setting itself can be wrong only the first time.

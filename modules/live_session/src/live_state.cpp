@@ -41,7 +41,8 @@ std::string live_state_json(const LiveState& state) {
                       {"task", state.task},
                       {"done", state.done},
                       {"total", state.total},
-                      {"session", state.session}};
+                      {"session", state.session},
+                      {"keeps_buildings", state.keeps_buildings}};
   if (!state.map_origin.is_null()) json["map_origin"] = state.map_origin;
   if (!state.replay.is_null()) json["replay"] = state.replay;
   if (!state.last.is_null()) json["last"] = state.last;

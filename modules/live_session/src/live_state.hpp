@@ -24,6 +24,7 @@ struct LiveState {
   std::size_t done = 0;
   std::size_t total = 0;
   std::string session;
+  bool keeps_buildings = false;       ///< there is a folder for what missions learn
   nlohmann::ordered_json map_origin;  ///< null: the map is the mission's own
   nlohmann::ordered_json replay;      ///< null: none
   nlohmann::ordered_json last;        ///< null: none

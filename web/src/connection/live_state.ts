@@ -22,6 +22,8 @@ export interface LiveState {
   done: number;
   total: number;
   session: string;
+  /** There is a folder for what missions learn. */
+  keeps_buildings?: boolean;
   last?: { mission: string; ok: boolean; text: string; problems: string[] };
   replay?: { session: string; from_s: number; to_s: number; at_s: number; playing: boolean; rate: number };
 }

@@ -17,11 +17,13 @@ function option(value: string, label = value): HTMLOptionElement {
 export class MissionFields {
   readonly elements: HTMLElement[];
   readonly #inputs = new Map<Field, Input>();
+  readonly #proposals = new Map<Field, string>();
 
   constructor(
     form: MissionForm,
     private readonly buildings: BuildingStore,
     private readonly sessions: SessionStore,
+    private readonly keeps_buildings: () => boolean,
   ) {
     this.elements = form.fields.map((field) => this.#labelled(field));
     this.refill();
@@ -36,8 +38,19 @@ export class MissionFields {
   refill(): void {
     for (const [field, input] of this.#inputs) {
       if (input instanceof HTMLSelectElement) this.#refill_list(field, input);
-      else if (field.is_needed && input.value === "") input.value = this.#proposed(field);
+      else if (this.#shall_propose(field)) this.#propose(field, input);
     }
+  }
+
+  /** Proposes a name that is not taken, unless the user has written one. */
+  #propose(field: Field, input: HTMLInputElement): void {
+    if (input.value !== (this.#proposals.get(field) ?? "")) return;
+    input.value = this.#proposed(field);
+    this.#proposals.set(field, input.value);
+  }
+
+  #shall_propose(field: Field): boolean {
+    return field.is_needed === true || (field.is_proposed === true && this.keeps_buildings());
   }
 
   #labelled(field: Field): HTMLElement {

@@ -19,6 +19,8 @@ export interface Field {
   label: string;
   kind: FieldKind;
   is_needed?: boolean;
+  /** A name is proposed, but the field may be left empty. */
+  is_proposed?: boolean;
   choices?: string[];
 }
 
@@ -38,7 +40,7 @@ export const mission_forms: MissionForm[] = [
   {
     mission: "explore",
     ...text.missions.explore,
-    fields: [{ key: "building", label: text.fields.learn_as, kind: "new_building" }],
+    fields: [{ key: "building", label: text.fields.learn_as, kind: "new_building", is_proposed: true }],
   },
   {
     mission: "drive",

@@ -13,13 +13,14 @@ export function mission_panel(app: App, store: BuildingStore): HTMLElement {
   const sessions = new SessionStore(app);
   const about = element("p", { class: "about" });
   const place = element("div", { class: "fields" });
+  const keeps_buildings = () => app.state.value?.keeps_buildings ?? false;
   let form = mission_forms[0] as MissionForm;
-  let fields = new MissionFields(form, store, sessions);
+  let fields = new MissionFields(form, store, sessions, keeps_buildings);
   const needs_building = () => form.fields.some(({ kind }) => kind === "building");
 
   const choose = (mission: string) => {
     form = mission_forms.find((candidate) => candidate.mission === mission) ?? form;
-    fields = new MissionFields(form, store, sessions);
+    fields = new MissionFields(form, store, sessions, keeps_buildings);
     set_text(about, form.about);
     set_text(start, form.begin);
     place.replaceChildren(...fields.elements);
@@ -73,11 +74,14 @@ export function mission_panel(app: App, store: BuildingStore): HTMLElement {
         : text.mission.computing(done, total);
     set_text(progress, [mission || mode, task, way, area].filter(Boolean).join(" · "));
   });
-  let was_idle = true;
+  let known = "";
   app.state.watch((state) => {
     const is_idle = state?.mode === "idle";
-    if (is_idle !== was_idle) store.is_shown.value = is_idle && needs_building();
-    was_idle = is_idle;
+    const news = `${state?.mode} ${state?.keeps_buildings}`;
+    if (news === known) return;
+    known = news;
+    fields.refill();
+    store.is_shown.value = is_idle && needs_building();
   });
   const refill = () => {
     fields.refill();

@@ -59,7 +59,10 @@ export function held_bar(app: App): HTMLElement {
     for (const choice of [resume, take_over, end]) choice.hidden = !is_held;
     release_button.hidden = is_held;
     set_text(words, is_stopped() ? text.held.stopped : text.held.paused);
-    set_text(end, state?.mission === "explore" ? text.held.end : text.held.end_other);
+    set_text(
+      end,
+      state?.mission === "explore" && state.keeps_buildings ? text.held.end : text.held.end_other,
+    );
   });
   return bar;
 }

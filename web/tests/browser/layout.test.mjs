@@ -66,7 +66,13 @@ for (const [width, height] of sizes) {
     await page.getByRole("button", { name: "Turning begins" }).waitFor();
     await check_reach(page, "teaching");
 
-    given.vehicle.send_state({ mission: "explore", driven_by_hand: false, paused: true, emergency: true });
+    given.vehicle.send_state({
+      mission: "explore",
+      driven_by_hand: false,
+      paused: true,
+      emergency: true,
+      keeps_buildings: true,
+    });
     await page.getByRole("button", { name: "End and keep the map" }).waitFor();
     given.vehicle.answers["mission/pause"] = () => new Error("a trouble that is told in a sentence");
     given.vehicle.send_state({ last: { mission: "go", ok: false, text: "", problems: ["no path"] } });

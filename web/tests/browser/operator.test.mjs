@@ -10,7 +10,7 @@ const { called } = given;
 let vehicle, page;
 beforeEach(() => ({ vehicle, page } = given));
 
-const exploring = { mode: "mission", mission: "explore", driven_by_hand: false };
+const exploring = { mode: "mission", mission: "explore", driven_by_hand: false, keeps_buildings: true };
 const held = { ...exploring, paused: true, emergency: true };
 
 async function hold(button) {

@@ -133,6 +133,21 @@ test("A mission starts with the filled-in fields", async () => {
   });
 });
 
+test("A name is proposed that is not taken, and what the user writes stays", async () => {
+  const name = page.getByRole("textbox", { name: "Learn as" });
+  assert.equal(await name.inputValue(), "");
+  vehicle.send_state({ keeps_buildings: true });
+  await until(async () => (await name.inputValue()) === "building1", "a proposal");
+  give_building(vehicle, ["building1"]);
+  vehicle.send_state({ mode: "mission", mission: "explore" });
+  vehicle.send_state({ mode: "idle", mission: "" });
+  await until(async () => (await name.inputValue()) === "building2", "another proposal");
+  await name.fill("lab");
+  await page.getByRole("button", { name: "Explore" }).click();
+  await until(() => called("mission/start").length === 1, "the mission's start");
+  assert.equal(called("mission/start")[0].request.building, "lab");
+});
+
 test("A click on the plan sends the vehicle to that point, also a second time", async () => {
   give_building(vehicle);
   vehicle.send_state({ mode: "work" });
