@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <sstream>
+#include <system_error>
 
 namespace aisle {
 namespace {
@@ -14,12 +15,26 @@ std::string told(Problem problem) {
   return to_string(problem);
 }
 
-/// An outcome's text without the lines that name files of the server.
+/// The word, or the last part of a path of the server.
+std::string told_word(const std::string& word) {
+  const std::size_t end = word.find_last_not_of(".,;:");
+  if (end == std::string::npos || word.find('/') == std::string::npos) return word;
+  const std::filesystem::path path = word.substr(0, end + 1);
+  std::error_code error;
+  const bool is_path = path.is_absolute() || std::filesystem::exists(path, error);
+  return is_path ? path.filename().string() + word.substr(end + 1) : word;
+}
+
+/// An outcome's text without the server's folders, and without the lines that say which file to see.
 std::string told(const std::string& text) {
   std::string lines;
   std::istringstream all(text);
   for (std::string line; std::getline(all, line);) {
-    if (!line.starts_with("see ")) lines += line + "\n";
+    if (line.starts_with("see ")) continue;
+    std::istringstream words(line);
+    std::string said;
+    for (std::string word; words >> word;) said += (said.empty() ? "" : " ") + told_word(word);
+    lines += said + "\n";
   }
   return lines;
 }

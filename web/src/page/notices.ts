@@ -42,6 +42,7 @@ export class Notices {
     this.#keep(message, kind);
     const open = [...this.element.children].find((child) => child.firstChild?.textContent === message);
     open?.remove();
+    if (kind === "result") this.element.querySelector(".result")?.remove();
     const notice = element("p", { class: `notice ${kind}` }, element("span", {}, message));
     notice.append(button("×", () => notice.remove(), { "aria-label": text.messages.close }));
     this.element.append(notice);

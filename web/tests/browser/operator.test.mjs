@@ -20,6 +20,17 @@ async function hold(button) {
   return () => page.mouse.up();
 }
 
+/** Whether the plan of the vehicle has a pixel of this colour. */
+function has_colour(shown, wanted) {
+  return shown.evaluate((rgb) => {
+    const canvas = document.querySelector(".stage .plan canvas");
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    for (let at = 0; at < data.length; at += 4)
+      if (rgb.every((value, channel) => data[at + channel] === value)) return true;
+    return false;
+  }, wanted);
+}
+
 test("A stopped vehicle goes on only by a long press, of the mouse or of a key", async () => {
   vehicle.send_state(held);
   const resume = page.getByRole("button", { name: "Resume" });
@@ -158,23 +169,32 @@ test("A long list of sessions is sorted by number, and searched", async () => {
   assert.match(await link.getAttribute("href"), /_0\.mcap$/);
 });
 
+test("The zoom buttons keep the vehicle in sight", async () => {
+  const zeros = new Float64Array(36);
+  const position = { x: 9, y: 0, z: 0 };
+  const still = { x: 0, y: 0, z: 0 };
+  vehicle.publish("/floor", "std_msgs/String", {
+    data: JSON.stringify({ cell_m: 0.5, low_cell: [0, -4], rows: Array(8).fill("20.") }),
+  });
+  vehicle.publish("/odom", "nav_msgs/Odometry", {
+    header: { stamp: { sec: 1, nanosec: 0 }, frame_id: "odom" },
+    child_frame_id: "base_link",
+    pose: { pose: { position, orientation: { ...still, w: 1 } }, covariance: zeros },
+    twist: { twist: { linear: still, angular: still }, covariance: zeros },
+  });
+  const accent = () => has_colour(page, [0x5a, 0xab, 0xff]);
+  await until(accent, "the vehicle");
+  for (let times = 0; times < 8; times += 1) await page.getByRole("button", { name: "Zoom in" }).click();
+  await page.evaluate(() => new Promise(requestAnimationFrame));
+  assert.ok(await accent());
+});
+
 test("A page that joins late shows what was driven before, and a replay shows it where it jumps to", async () => {
   const points = Array.from({ length: 50 }, (_, index) => [index / 10, 0]);
   vehicle.answers["mission/trail"] = () => ({ points });
   const late = await open_touch(given, 1024, 600);
   await until(() => called("mission/trail").length >= 2, "the trail is asked for");
-  await until(
-    () =>
-      late.evaluate(() => {
-        const canvas = document.querySelector(".stage .plan canvas");
-        const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-        const wanted = [0x3a, 0x6d, 0xa3];
-        for (let at = 0; at < data.length; at += 4)
-          if (wanted.every((value, channel) => data[at + channel] === value)) return true;
-        return false;
-      }),
-    "the trail on the plan",
-  );
+  await until(() => has_colour(late, [0x3a, 0x6d, 0xa3]), "the trail on the plan");
   await late.context().close();
 
   const replay = { session: "run", from_s: 0, to_s: 60, at_s: 13.2, playing: false, rate: 1 };

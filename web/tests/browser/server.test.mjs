@@ -134,11 +134,6 @@ test("Sessions beside foreign files are listed, with the file of each kind", asy
   await page.getByRole("textbox", { name: "Record as" }).fill("run-2");
   await page.getByRole("button", { name: "Begin" }).click();
   await page.getByText("l-corridor: drive").waitFor();
-  await page
-    .getByRole("button", { name: "Finish" })
-    .or(page.getByRole("button", { name: "End" }))
-    .first()
-    .waitFor();
   await page.getByRole("button", { name: "End", exact: true }).click();
   await page.getByText("l-corridor: waiting").waitFor();
 

@@ -160,7 +160,7 @@ test("A session is listed and replayed, and its building is edited", async () =>
   const shown_s = async () => Number(await picture.getAttribute("data-stamp-s"));
   await until(async () => (await shown_s()) > 1, "a picture");
   await page.getByRole("button", { name: "Pause" }).click();
-  await page.getByRole("button", { name: "Play" }).waitFor();
+  await page.getByRole("button", { name: "Play", exact: true }).waitFor();
   await page.getByRole("slider", { name: "Time" }).press("Home");
   await until(async () => (await shown_s()) < 1, "the picture at the beginning");
   await keep_screenshot(page, "sessions-dark");
