@@ -67,6 +67,10 @@ class ConnectedVehicle::Cycle {
       look_at_command_topic();
       judge();
       if (!end_reason_.empty()) return std::nullopt;
+      if (is_held() && surroundings_.progress.shall_end()) {
+        end_reason_ = "ended while held: " + held_because_;
+        return std::nullopt;
+      }
       auto lock = intake_->lock();
       if (is_held()) {
         drop_scans();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -33,6 +34,11 @@ std::optional<std::string> scalar(const YAML::Node& map, const char* key) {
   const YAML::Node value = map[key];
   if (!value || !value.IsScalar()) return std::nullopt;
   return value.Scalar();
+}
+
+/// 0 for all that is not a positive whole number.
+std::int64_t whole_number(const YAML::Node& value) {
+  return value && value.IsScalar() ? std::max<std::int64_t>(0, value.as<std::int64_t>(0)) : 0;
 }
 
 /// As metadata.yaml calls it.
@@ -67,7 +73,13 @@ Result<SessionFile> session_file(const YAML::Node& bag, const std::string& name)
   const std::string file = files[0].Scalar();
   if (file.empty() || file == "." || file == ".." || file.find('/') != std::string::npos)
     return wrong("relative_file_paths", fmt::format("'{}' is not a file beside metadata.yaml", file));
-  return SessionFile{storage == "mcap" ? SessionStorage::kMcap : SessionStorage::kSqlite, file};
+  const YAML::Node duration = bag["duration"];
+  return SessionFile{.storage = storage == "mcap" ? SessionStorage::kMcap : SessionStorage::kSqlite,
+                     .name = file,
+                     .messages = whole_number(bag["message_count"]),
+                     .duration_s = duration && duration.IsMap()
+                                       ? static_cast<double>(whole_number(duration["nanoseconds"])) / 1e9
+                                       : 0};
 }
 
 }  // namespace

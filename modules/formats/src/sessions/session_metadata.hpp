@@ -38,6 +38,9 @@ bool is_latched(const std::string& quality);
 struct SessionFile {
   SessionStorage storage = SessionStorage::kSqlite;
   std::string name;  ///< beside metadata.yaml
+  /// As metadata.yaml says; 0: unknown, as in a recording that was killed.
+  std::int64_t messages = 0;
+  double duration_s = 0;
 };
 
 /// For bags in another layout, the problem says which layout is read.

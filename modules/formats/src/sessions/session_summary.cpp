@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "aisle/core/median.hpp"
+#include "sessions/session_files.hpp"
 #include "sessions/session_source.hpp"
 
 namespace aisle {
@@ -60,6 +61,15 @@ Result<SessionSummary> summarise(SessionSource& source) {
 }
 
 }  // namespace
+
+Result<SessionOutline> outline_session(const std::filesystem::path& directory) {
+  auto file = find_session_file(directory);
+  if (!file) return file.problems();
+  if (file->messages > 0) return SessionOutline{std::move(file->name), file->duration_s, file->messages};
+  const auto summary = summarise_session(directory);
+  if (!summary) return summary.problems();
+  return SessionOutline{std::move(file->name), summary->duration_s(), summary->messages};
+}
 
 Result<SessionSummary> summarise_session(const std::filesystem::path& directory) {
   const auto source = open_session_source(directory);
