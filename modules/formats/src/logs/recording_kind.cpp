@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "aisle/formats/logs/counted_log.hpp"
 #include "field_reader.hpp"
 #include "logs/laser_csv_columns.hpp"
 #include "logs/mrpt_stream.hpp"
@@ -94,7 +95,9 @@ RecordingKind recording_kind(std::string_view head) {
   if (begins_rawlog(head)) return RecordingKind::kRawlog;
   if (is_tar(head)) return RecordingKind::kOther;
   if (has_carmen_message(head)) return RecordingKind::kCarmen;
-  return begins_laser_csv(head) ? RecordingKind::kCsv : RecordingKind::kOther;
+  if (begins_laser_csv(head)) return RecordingKind::kCsv;
+  if (begins_coreslam_log(head)) return RecordingKind::kCoreslam;
+  return begins_lego_log(head) ? RecordingKind::kLego : RecordingKind::kOther;
 }
 
 std::string describe_contents(std::string_view head) {

@@ -14,15 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Closing a recording removes its journal, so a journal means that it was killed.
-bool was_killed(const fs::path& database) {
-  std::error_code error;
-  return fs::exists(database.string() + "-wal", error);
-}
-
 /// SQLite silently pads a truncated last page; here it is a problem.
 Problems check_length(const sqlite::Database& database) {
-  if (was_killed(database.path())) return {};  // the rest may be in the journal
+  if (database.is_copy()) return {};  // the rest may be in the journal
   auto pages = database.prepare("SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
   if (!pages) return pages.problems();
   if (const Result<bool> row = pages->step(); !row) return row.problems();
@@ -154,10 +148,9 @@ Result<SessionFile> find_session_file(const fs::path& directory) {
   return file;
 }
 
-Result<sqlite::Database> open_database(const fs::path& directory, const fs::path& path) {
+Result<sqlite::Database> open_database(const fs::path& path) {
   Result<sqlite::Database> database = sqlite::Database::open(path);
   if (!database) return database;
-  if (was_killed(path)) (void)finish_database(directory, *database);  // if that fails, read what there is
   if (Problems problems = check_length(*database); !problems.empty()) return problems;
   return database;
 }

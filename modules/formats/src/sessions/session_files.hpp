@@ -27,8 +27,7 @@ Problems finish_database(const std::filesystem::path& directory, const sqlite::D
 /// The file of a session, by its metadata.yaml.
 Result<SessionFile> find_session_file(const std::filesystem::path& directory);
 
-/// Opens a session's database; finishes the session first if its recording was killed.
-Result<sqlite::Database> open_database(const std::filesystem::path& directory,
-                                       const std::filesystem::path& path);
+/// Opens a session's database for reading. One that is cut off is a problem.
+Result<sqlite::Database> open_database(const std::filesystem::path& path);
 
 }  // namespace aisle

@@ -12,8 +12,7 @@ Result<std::unique_ptr<SessionSource>> open_session_source(const fs::path& direc
   const auto file = find_session_file(directory);
   if (!file) return file.problems();
   const fs::path path = directory / file->name;
-  return file->storage == SessionStorage::kMcap ? open_mcap_session(path)
-                                                : open_sqlite_session(directory, path);
+  return file->storage == SessionStorage::kMcap ? open_mcap_session(path) : open_sqlite_session(path);
 }
 
 SessionReader::SessionReader(std::unique_ptr<SessionSource> source) : source_(std::move(source)) {}

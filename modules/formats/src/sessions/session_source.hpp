@@ -44,8 +44,7 @@ class SessionSource {
 /// Opens a session by its metadata.yaml, whatever its storage.
 Result<std::unique_ptr<SessionSource>> open_session_source(const std::filesystem::path& directory);
 
-Result<std::unique_ptr<SessionSource>> open_sqlite_session(const std::filesystem::path& directory,
-                                                           const std::filesystem::path& path);
+Result<std::unique_ptr<SessionSource>> open_sqlite_session(const std::filesystem::path& path);
 Result<std::unique_ptr<SessionSource>> open_mcap_session(const std::filesystem::path& path);
 
 }  // namespace aisle

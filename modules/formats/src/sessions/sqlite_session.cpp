@@ -78,9 +78,8 @@ Result<std::optional<std::string>> SqliteSession::first_of(const std::string& to
 
 }  // namespace
 
-Result<std::unique_ptr<SessionSource>> open_sqlite_session(const std::filesystem::path& directory,
-                                                           const std::filesystem::path& path) {
-  Result<sqlite::Database> database = open_database(directory, path);
+Result<std::unique_ptr<SessionSource>> open_sqlite_session(const std::filesystem::path& path) {
+  Result<sqlite::Database> database = open_database(path);
   if (!database) return database.problems();
   auto session = std::make_unique<SqliteSession>(std::move(*database));
   if (Problems problems = session->begin(); !problems.empty()) return problems;
