@@ -154,6 +154,21 @@ TEST_F(HeldRobot, ForGoodWhenTheProgramIsTerminated) {
   EXPECT_EQ(run.exit_code, 130);
 }
 
+using StoppedRobot = FaultyRobot;
+
+TEST_F(StoppedRobot, IsNotMovedWhenItsLatchedEmergencyStopWasPressedBefore) {
+  const robots::Publisher<robots::Bool> latched(*drivers_side, "/latched", Quality::kLatched);
+  latched.publish({true});
+  const auto aisle = exploring(connection("robot.yaml", "emergency_stops: [{topic: latched}]\n"));
+  const double last_motion_s = relay->last_motion_s();
+  EXPECT_TRUE(says(*aisle, "held: the emergency stop /latched is pressed")) << aisle->error_so_far();
+  EXPECT_EQ(relay->last_motion_s(), last_motion_s);
+  latched.publish({false});
+  expect_it_drives_on(*aisle);
+  aisle->signal(SIGTERM);
+  EXPECT_EQ(aisle->wait().exit_code, 130);
+}
+
 /// What ends the mission, each in a run of its own.
 struct Ending {
   const char* name;
