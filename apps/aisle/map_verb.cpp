@@ -1,34 +1,10 @@
-#include <fmt/format.h>
-
-#include <charconv>
 #include <memory>
 
 #include "aisle/commands/map.hpp"
-#include "aisle/core/angle.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
-
-namespace {
-
-/// "x", "x,y" or "x,y,deg": pose of the laser on the vehicle [m, degrees].
-Pose2 parse_offset(const std::string& text) {
-  double values[3] = {0, 0, 0};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (int i = 0; i < 3; ++i) {
-    const auto [next, error] = std::from_chars(at, end, values[i]);
-    if (error != std::errc() || !std::isfinite(values[i])) break;
-    if (next == end) return {values[0], values[1], values[2] * kDegree};
-    if (*next != ',') break;
-    at = next + 1;
-  }
-  throw CLI::ValidationError("--laser-offset",
-                             fmt::format("'{}' is not x, x,y or x,y,degrees (metres)", text));
-}
-
-}  // namespace
 
 void add_map_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("map", "build a wall map from a recorded 2-D laser log with odometry");
@@ -57,7 +33,7 @@ void add_map_verb(CLI::App& app, Work& work) {
       "unit of lengths in the log (default m)");
   verb->add_option_function<std::string>(
       "--laser-offset",
-      [options](const std::string& text) { options->reading.T_vehicle_laser = parse_offset(text); },
+      [options](const std::string& text) { options->reading.T_vehicle_laser = parse_laser_offset(text); },
       "pose of the laser on the vehicle: x, x,y or x,y,degrees (default: from the log, else 0)");
   verb->add_option("--odometry-delay", options->odometry_delay_s,
                    "delay of the odometry behind its scan in seconds (default: estimated from the log)")

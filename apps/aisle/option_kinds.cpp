@@ -47,3 +47,18 @@ Pose2 parse_place(const std::string& option, const std::string& text) {
   }
   throw CLI::ValidationError(option, fmt::format("'{}' is not x,y,degrees (metres)", text));
 }
+
+Pose2 parse_laser_offset(const std::string& text) {
+  double values[3] = {0, 0, 0};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (int i = 0; i < 3; ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    if (error != std::errc() || !std::isfinite(values[i])) break;
+    if (next == end) return {values[0], values[1], values[2] * kDegree};
+    if (*next != ',') break;
+    at = next + 1;
+  }
+  throw CLI::ValidationError("--laser-offset",
+                             fmt::format("'{}' is not x, x,y or x,y,degrees (metres)", text));
+}

@@ -36,6 +36,9 @@ void add_choice(CLI::App& verb, const std::string& name, Value& chosen, const Ch
 /// Parses "x,y,heading_deg", the pose of a vehicle [m, degrees].
 aisle::Pose2 parse_place(const std::string& option, const std::string& text);
 
+/// Parses "x", "x,y" or "x,y,deg", the pose of a laser on its vehicle [m, degrees].
+aisle::Pose2 parse_laser_offset(const std::string& text);
+
 /// --sensor: the sensor to explore with.
 void add_exploring_sensor(CLI::App& verb, aisle::ExploringSensor& sensor, const std::string& meaning);
 
