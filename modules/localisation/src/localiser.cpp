@@ -104,9 +104,8 @@ std::optional<PlaceCandidate> Localiser::told_place(std::span<const ViewBeam> be
   const auto best = std::min_element(meant.begin(), meant.end(), [](const auto& a, const auto& b) {
     return a.fit.misfit_m < b.fit.misfit_m;
   });
-  const double margin_m = std::max(params_.search.margin_m, params_.search.margin_share * last_.view_m);
   if (is_meant(*best) && best->fit.explained_share() >= params_.search.explained_min &&
-      best->fit.misfit_m <= last_.places.front().fit.misfit_m + margin_m)
+      best->fit.misfit_m <= last_.misfit_max_m)
     return *best;
   T_map_hint_.reset();
   hint_was_wrong_ = true;

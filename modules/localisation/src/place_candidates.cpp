@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kBasin_m = 0.25;  // poses within so much of one another settle at the same one
 constexpr double kBasin_rad = 5 * kDegree;
+constexpr int kRoughHits = 60;       // of a first look at a pose,
+constexpr double kRough = 0.12;      // which may miss so much of the share that is explained
 constexpr double kScoreLoss = 0.05;  // the search's grid may cost the true pose so much of its score
 
 /// Neighbours fit and fail together: in another order, a bad pose shows after a few of them.
@@ -45,14 +47,23 @@ class Examination {
  public:
   Examination(const SurfaceField& field, std::span<const ViewBeam> beams, double piece_m,
               const PlaceSearchParams& params)
-      : field_(field), beams_(beams), piece_m_(piece_m), params_(params) {
+      : field_(field),
+        beams_(beams),
+        piece_m_(piece_m),
+        params_(params),
+        view_m_(piece_m * static_cast<double>(beams.size())),
+        some_(some_hits(beams, kRoughHits)) {
     for (const ViewBeam& beam : beams) hits_.push_back(beam.p_hit);
   }
 
   void examine(const Pose2& T_map_guess) {
     if (!examined_.insert(basin_of(T_map_guess)).second) return;
+    const Vec2& p_laser = beams_.front().p_laser;
+    const SurfaceAlignment rough = align_to_surfaces(field_, some_, p_laser, T_map_guess, Mat3::Zero());
+    const double explained_min = std::max(params_.explained_min, 1 - misfit_max_m() / view_m_);
+    if (rough.near_share < explained_min - kRough) return;
     const SurfaceAlignment laid =
-        align_to_surfaces(field_, hits_, beams_.front().p_laser, T_map_guess, Mat3::Zero());
+        align_to_surfaces(field_, hits_, p_laser, rough.T_map_vehicle, Mat3::Zero());
     if (!field_.can_stand(laid.T_map_vehicle.position())) return;
     const ViewFit fit = fit_of(field_, beams_, piece_m_, laid.T_map_vehicle, params_.fit);
     if (fit.explained_share() < params_.explained_min || fit.misfit_m > misfit_max_m()) return;
@@ -61,9 +72,9 @@ class Examination {
 
   /// A pose with a greater misfit is no rival.
   double misfit_max_m() const {
-    const double view_m = piece_m_ * static_cast<double>(beams_.size());
-    if (places_.empty()) return view_m;
-    return places_.front().fit.misfit_m + std::max(params_.margin_m, params_.margin_share * view_m);
+    if (places_.empty()) return view_m_;
+    const double best_m = places_.front().fit.misfit_m;
+    return best_m + std::max({params_.margin_m, params_.margin_share * view_m_, best_m});
   }
 
   std::vector<PlaceCandidate>& places() { return places_; }
@@ -87,7 +98,9 @@ class Examination {
   std::span<const ViewBeam> beams_;
   double piece_m_;
   const PlaceSearchParams& params_;
+  double view_m_;
   std::vector<Vec2> hits_;
+  std::vector<Vec2> some_;  ///< enough of them to see that a pose is none
   std::set<std::array<int, 3>> examined_;
   std::vector<PlaceCandidate> places_;
 };
@@ -124,6 +137,7 @@ PlaceSearch find_places(const SurfaceField& field, const LikelihoodPyramid& map,
     examination.examine(pose->T_map_vehicle);
   }
   result.is_complete = !search.is_cut_short();
+  result.misfit_max_m = examination.misfit_max_m();
   result.nodes = search.nodes();
   result.places = std::move(examination.places());
   return result;

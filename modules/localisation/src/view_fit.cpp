@@ -18,7 +18,7 @@ constexpr double kCellSigma_m = 0.06;  // of furniture, which is known by its ce
 constexpr double kCauchy_m = 0.05;
 constexpr double kSharedError = 6;  // neighbouring hits have common errors: so many count as one
 constexpr double kNear_m = 0.15;
-constexpr double kSettled = 1e-5;
+constexpr double kSettled = 1e-4;
 
 enum class BeamFate { kExplained, kShort, kThrough };
 

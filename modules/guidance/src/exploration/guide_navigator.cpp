@@ -76,6 +76,11 @@ Decision GuideNavigator::step(const Observation& observation) {
   return drive(observation);
 }
 
+void GuideNavigator::begin_at(const UncertainPose2& T_map_vehicle) {
+  localiser_.begin_at(T_map_vehicle);
+  T_map_vehicle_ = T_map_vehicle.mean;
+}
+
 void GuideNavigator::locate(const Observation& observation) {
   T_scan_vehicle_ = T_scan_vehicle_ * odometry_step(vehicle_, observation.odometry);
   const bool sees = sensor_->look(observation, view_);

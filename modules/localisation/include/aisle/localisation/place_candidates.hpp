@@ -12,10 +12,10 @@ namespace aisle {
 
 struct PlaceSearchParams {
   ViewFitParams fit;
-  double explained_min = 0.5;       ///< a pose that explains a smaller share of the view is none
-  double margin_m = 3;              ///< surface by which the best place must be ahead of every other ...
-  double margin_share = 0.05;       ///< ... and this share of the view
-  double apart_m = 0.5;             ///< poses nearer than this ...
+  double explained_min = 0.5;  ///< a pose that explains a smaller share of the view is none
+  double margin_m = 2;         ///< surface by which the best place must be ahead of every other, if no ...
+  double margin_share = 0.03;  ///< ... share of the view and no misfit of its own is more
+  double apart_m = 0.5;        ///< poses nearer than this ...
   double apart_rad = 15 * kDegree;  ///< ... and this are one place
   int hits = 160;                   ///< of the view, for the search
   int places_max = 50;              ///< with more, the search is cut short
@@ -36,6 +36,7 @@ struct PlaceSearch {
   std::vector<PlaceCandidate> places;  ///< the best one, and all that are not clearly worse; the best first
   bool is_complete = false;            ///< no other place fits: every pose was looked at
   double view_m = 0;                   ///< surface in the view
+  double misfit_max_m = 0;             ///< a place with more is no rival of the best
   std::size_t nodes = 0;               ///< that the search looked at
 };
 

@@ -53,6 +53,9 @@ class GuideNavigator final : public Navigator {
 
   Decision step(const Observation& observation) override;
 
+  /// The vehicle is here, as somebody has found out before the first step.
+  void begin_at(const UncertainPose2& T_map_vehicle);
+
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const WallLocaliser& localiser() const { return localiser_; }
   std::size_t places_reached() const { return next_; }
