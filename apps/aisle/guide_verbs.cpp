@@ -9,12 +9,28 @@ using namespace aisle;
 
 namespace {
 
+MissionStart parse_told_start(const std::string& text) {
+  if (text == "home") return {};
+  if (text == "unknown") return {.is_unknown = true, .T_map_hint = {}};
+  return {.is_unknown = false, .T_map_hint = parse_place("--at", text)};
+}
+
 void add_mission_options(CLI::App& verb, GuideOptions& options) {
   CLI::Option* const connection =
       verb.add_option("--connect", options.connection, "connection file (YAML) of a robot: not simulated");
   verb.add_option("--world", options.world,
                   "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");
   add_resolution(verb, options.plan_pixel_m);
+  verb.add_option_function<std::string>(
+      "--start",
+      [&options](const std::string& text) { options.T_world_start = parse_place("--start", text); },
+      "put the simulated vehicle down at x,y,heading_deg of the world, and do not tell it (default: at "
+      "home)");
+  verb.add_option_function<std::string>(
+      "--at", [&options](const std::string& text) { options.told = parse_told_start(text); },
+      "where it begins: home, unknown (it finds itself), or x,y,heading_deg in the map, a hint that is "
+      "checked "
+      "(default: home; unknown with --start)");
   verb.add_option("--vehicle", options.vehicle,
                   "vehicle file (YAML) or name of a shipped vehicle (default alv-scanner)");
   verb.add_option(
@@ -23,7 +39,7 @@ void add_mission_options(CLI::App& verb, GuideOptions& options) {
   add_seed(verb, options.seed, "random seed; the same seed gives the same session (default 1)");
   verb.add_option("--out", options.out, "output directory for the session");
   verb.add_flag("--force", options.force, "overwrite an existing session");
-  for (const char* name : {"--world", "--resolution", "--vehicle", "--faults", "--seed"})
+  for (const char* name : {"--world", "--resolution", "--vehicle", "--faults", "--seed", "--start"})
     connection->excludes(verb.get_option(name));
   add_storage(verb, options.storage);
 }

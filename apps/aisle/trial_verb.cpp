@@ -47,7 +47,7 @@ void add_trial_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
   verb->add_option("METHOD", options->method,
-                   "what to try: landmarks, sections, explore, route, turnings or park");
+                   "what to try: landmarks, sections, explore, localise, route, turnings or park");
   const CLI::Option* seeds = verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {
@@ -89,6 +89,10 @@ void add_trial_verb(CLI::App& app, Work& work) {
       ->check(CLI::Range(0.5, 100.0));
   verb->add_flag("--reverse", options->in_reverse,
                  "drive the routes in the opposite direction; park: back into the frame");
+  verb->add_flag(
+      "--outdated-map", options->outdated_map,
+      "localise: in a map of 5 cm cells, made before 5 % of the walls were built and the furniture "
+      "was moved");
   verb->add_flag("--close", options->close,
                  "turnings: pairs that are too close for the vehicle, so that it backs up between them");
   const CLI::Option* jobs = verb->add_option(

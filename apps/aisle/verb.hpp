@@ -12,6 +12,7 @@ using Work = std::function<aisle::Result<aisle::Outcome>(aisle::Console&)>;
 
 void add_connect_verb(CLI::App& app, Work& work);
 void add_convert_verb(CLI::App& app, Work& work);
+void add_localise_verb(CLI::App& app, Work& work);
 void add_map_verb(CLI::App& app, Work& work);
 void add_sim_verb(CLI::App& app, Work& work);
 void add_maze_verb(CLI::App& app, Work& work);

@@ -37,7 +37,8 @@ Result<SessionOrigin> read_origin(const GuideOptions& options, const std::string
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   auto building = read_whole_file(options.building);
   if (!building) return building.problems();
-  return GuideDriver::origin(params, std::move(*building), goal);
+  const MissionStart elsewhere{.is_unknown = options.T_world_start.has_value(), .T_map_hint = {}};
+  return GuideDriver::origin(params, std::move(*building), goal, options.told.value_or(elsewhere));
 }
 
 Result<GuideMission> make_mission(const GuideOptions& options, SessionOrigin origin,
@@ -98,8 +99,12 @@ Result<Outcome> simulate_goal(const char* verb, const GuideOptions& options, Ses
   auto mission = make_mission(options, std::move(origin), setting->vehicle.description);
   if (!mission) return mission.problems();
   for (const std::string& warning : setting->warnings) console.warn(warning);
+  if (options.T_world_start &&
+      !fits(setting->world, setting->vehicle.description.footprint, *options.T_world_start))
+    return Problem{{"--start"}, "the vehicle does not fit there"};
   SimulatedVehicle vehicle =
-      vehicle_in(*setting, set_down_at_home(*setting, *start, options.seed), options.seed);
+      vehicle_in(*setting, options.T_world_start.value_or(set_down_at_home(*setting, *start, options.seed)),
+                 options.seed);
   return drive_to_goal(verb, options, *mission, vehicle, &vehicle, console);
 }
 

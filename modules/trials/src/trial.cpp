@@ -7,6 +7,7 @@
 #include "aisle/commands/parameter_listing.hpp"
 #include "exploration/exploration_trial.hpp"
 #include "landmarks/landmark_trial.hpp"
+#include "localisation/localisation_trial.hpp"
 #include "rooms/room_trial.hpp"
 #include "sections/section_trial.hpp"
 
@@ -45,7 +46,8 @@ constexpr TrialMethod kTrialMethods[] = {
     {"route", with_params<trial_by_route, &TrialParams::route>},
     {"turnings", with_params<trial_of_turnings, &TrialParams::route>},
     {"park", with_params<trial_of_parking, &TrialParams::route>},
-    {"explore", run_exploration_trial}};
+    {"explore", run_exploration_trial},
+    {"localise", run_localisation_trial}};
 
 }  // namespace
 

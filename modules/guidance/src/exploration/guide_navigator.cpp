@@ -56,8 +56,7 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
       walls_(building.walls),
-      localiser_(std::in_place, params.localiser, sensor_->scanner(), walls_,
-                 about_start(T_map_start, params)),
+      localiser_(params.localiser, sensor_->scanner(), walls_, about_start(T_map_start, params)),
       has_barriers_(!building.barriers.empty()),
       floor_(floor_of(building, params.legs)),
       search_(params.search, vehicle),
@@ -87,20 +86,25 @@ void GuideNavigator::send_to(std::vector<Vec2> p_map_places, double stamp_s) {
 }
 
 void GuideNavigator::relocate(const Pose2& T_map_vehicle, double stamp_s) {
-  localiser_.emplace(params_.localiser, sensor_->scanner(), walls_, about_start(T_map_vehicle, params_));
+  localiser_.begin_at(about_start(T_map_vehicle, params_));
   T_map_vehicle_ = T_map_vehicle;
   T_scan_vehicle_ = {};
   localised_s_ = progress_s_ = stamp_s;
   drop_path();
 }
 
+void GuideNavigator::begin_at(const UncertainPose2& T_map_vehicle) {
+  localiser_.begin_at(T_map_vehicle);
+  T_map_vehicle_ = T_map_vehicle.mean;
+}
+
 void GuideNavigator::locate(const Observation& observation) {
   T_scan_vehicle_ = T_scan_vehicle_ * odometry_step(vehicle_, observation.odometry);
   const bool sees = sensor_->look(observation, view_);
-  if (sees) localiser_->take_scan(view_.ranges_m, std::exchange(T_scan_vehicle_, {}));
-  T_map_vehicle_ = localiser_->T_map_vehicle().mean * T_scan_vehicle_;
-  if (!localiser_->is_doubtful()) localised_s_ = observation.stamp_s;
-  if (sees && !localiser_->is_doubtful()) look_at_floor(observation.stamp_s);
+  if (sees) localiser_.take_scan(view_.ranges_m, std::exchange(T_scan_vehicle_, {}));
+  T_map_vehicle_ = localiser_.T_map_vehicle().mean * T_scan_vehicle_;
+  if (!localiser_.is_doubtful()) localised_s_ = observation.stamp_s;
+  if (sees && !localiser_.is_doubtful()) look_at_floor(observation.stamp_s);
 }
 
 void GuideNavigator::look_at_floor(double stamp_s) {

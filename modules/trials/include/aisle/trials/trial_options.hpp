@@ -33,6 +33,7 @@ struct TrialOptions {
   std::optional<double> lift_m;  ///< kidnap: the vehicle is put so far ahead or back on its path (landmarks)
   std::optional<BuildingKind> kind;  ///< of random buildings; none: all kinds in turn
   double noise_scale = 1;            ///< factor on the odometry's errors (explore)
+  bool outdated_map = false;         ///< localise: in a map with 5 % of walls missing and furniture moved
   ParameterSources parameters;
   int jobs = 0;  ///< missions at a time; 0: as many as the machine has cores
   std::filesystem::path

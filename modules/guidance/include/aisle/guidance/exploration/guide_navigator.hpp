@@ -57,9 +57,11 @@ class GuideNavigator final : public Navigator {
   void send_to(std::vector<Vec2> p_map_places, double stamp_s);
   /// It is somewhere else than it believed.
   void relocate(const Pose2& T_map_vehicle, double stamp_s);
+  /// The vehicle is here, as somebody has found out before the first step.
+  void begin_at(const UncertainPose2& T_map_vehicle);
 
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
-  const WallLocaliser& localiser() const { return *localiser_; }
+  const WallLocaliser& localiser() const { return localiser_; }
   std::size_t places_reached() const { return next_; }
   /// How often a path was dropped because it was no longer free.
   std::size_t ways_closed() const { return ways_closed_; }
@@ -83,7 +85,7 @@ class GuideNavigator final : public Navigator {
   VehicleDescription vehicle_;
   std::unique_ptr<ScanSource> sensor_;
   const WallMap& walls_;
-  std::optional<WallLocaliser> localiser_;  ///< never empty
+  WallLocaliser localiser_;
   bool has_barriers_;
   KnownFloor floor_;
   StagedSearch search_;

@@ -14,11 +14,11 @@ namespace aisle {
 
 /// Result of a mission in a known building.
 struct GuideMissionResult : MissionResult {
-  std::vector<Pose2> T_map_vehicle;    ///< estimated poses, one per cycle
-  std::vector<Pose2> T_world_vehicle;  ///< true poses, one per cycle; empty: unknown
+  std::vector<Pose2> T_map_vehicle;    ///< estimated poses, one per cycle since it knows where it is
+  std::vector<Pose2> T_world_vehicle;  ///< true poses at the same cycles; empty: unknown
 };
 
-/// Lets a vehicle near home drive to its goal.
+/// Lets a vehicle drive to its goal, from where the driver says that it begins.
 /// @param truth  of the vehicle; null: unknown
 Result<GuideMissionResult> drive_guide_mission(Vehicle& vehicle, const TruthSource* truth,
                                                GuideDriver& driver, std::optional<SessionRecord>& session,
