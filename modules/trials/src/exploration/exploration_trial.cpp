@@ -54,6 +54,7 @@ Json spread_of(const Json& missions, const char* figure, bool least_is_worst) {
     sum += value;
     worst = least_is_worst ? std::min(worst, value) : std::max(worst, value);
   }
+  if (missions.empty()) return nullptr;
   return {{"mean", rounded(sum / static_cast<double>(missions.size()), 5)}, {"worst", rounded(worst, 5)}};
 }
 
@@ -62,7 +63,7 @@ Outcome outcome_of(const TrialOptions& options, const Json& missions) {
   const auto certified = std::count_if(missions.begin(), missions.end(), has_certificate);
   std::size_t collisions = 0;
   for (const Json& mission : missions) collisions += mission["collisions"].get<std::size_t>();
-  const auto count = static_cast<double>(missions.size());
+  const auto count = static_cast<double>(std::max<std::size_t>(missions.size(), 1));
   Outcome outcome{.verb = "trial", .ok = complete == static_cast<std::ptrdiff_t>(missions.size())};
   outcome.figures = {{"simulated", true},
                      {"method", options.method},

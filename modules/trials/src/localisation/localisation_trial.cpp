@@ -11,7 +11,7 @@
 #include "aisle/missions/statistics.hpp"
 #include "aisle/simulation/cross_section.hpp"
 #include "localisation/known_world.hpp"
-#include "mission_count.hpp"
+#include "mission_runs.hpp"
 #include "trial_setting.hpp"
 
 namespace aisle {
@@ -70,7 +70,7 @@ bool is_found_soon(const Json& run) {
 
 double share_of(const Json& runs, bool (*counts)(const Json&)) {
   return static_cast<double>(std::count_if(runs.begin(), runs.end(), counts)) /
-         static_cast<double>(runs.size());
+         static_cast<double>(std::max<std::size_t>(runs.size(), 1));
 }
 
 Json quantiles_of(const Json& runs, const char* figure) {
@@ -115,39 +115,47 @@ Outcome outcome_of(const TrialOptions& options, const Json& runs) {
   return outcome;
 }
 
+/// One building, one place in it that the vehicle is put down at and not told. @return its record
+Result<Json> localise_seed(const TrialOptions& options, const PlaceFinderParams& params, std::uint64_t seed,
+                           Progress& progress) {
+  const std::string vehicle = options.vehicle.empty() ? "alv-scanner" : options.vehicle;
+  auto setting = setting_of_seed(options, seed, vehicle, kBuildingKinds);
+  if (!setting) return setting.problems();
+  setting->vehicle.description.cameras.clear();
+  if (!setting->vehicle.description.scanner)
+    return Problem{{vehicle, 0, "scanner"}, "is missing: the vehicle cannot see walls"};
+  const auto start = start_in(*setting);
+  if (!start) return start.problems();
+  const Footprint& footprint = setting->vehicle.description.footprint;
+  const FreeFloor floor(obstacles_below(setting->world, footprint.height_m), start->position(), kPassable_m);
+  const FreeFloor seen(cross_section(setting->world, setting->vehicle.simulated.scanner.height_m),
+                       start->position(), 0.03);
+  Random random(seed ^ 0x10ca1);
+  const Pose2 T_world_start = random_pose(*setting, floor, *start, random);
+  const Building known = options.outdated_map
+                             ? outdated_map_of_world(*setting, seen, Random(seed ^ 0x01d), progress)
+                             : building_of_world(*setting, seen);
+  const Json run = find_once(params, *setting, known, T_world_start, seed);
+  return Json{{"ok", is_found_soon(run)}, {"run", run}};
+}
+
 }  // namespace
 
 Result<Outcome> run_localisation_trial(const TrialOptions& options, Console& console) {
   PlaceFinderParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  const std::string vehicle = options.vehicle.empty() ? "alv-scanner" : options.vehicle;
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  MissionCount within(console.progress, "missions", seeds);
+  const auto ran = run_missions(
+      options,
+      per_seed(options, [&](std::uint64_t seed,
+                            Console& quiet) { return localise_seed(options, params, seed, quiet.progress); }),
+      console);
+  if (!ran) return ran.problems();
   Json runs = Json::array();
-  for (std::uint64_t i = 0; i < seeds; ++i) {
-    within.begin(i);
-    const std::uint64_t seed = options.first_seed + i;
-    auto setting = setting_of_seed(options, seed, vehicle, kBuildingKinds);
-    if (!setting) return setting.problems();
-    setting->vehicle.description.cameras.clear();
-    if (!setting->vehicle.description.scanner)
-      return Problem{{vehicle, 0, "scanner"}, "is missing: the vehicle cannot see walls"};
-    const auto start = start_in(*setting);
-    if (!start) return start.problems();
-    const Footprint& footprint = setting->vehicle.description.footprint;
-    const FreeFloor floor(obstacles_below(setting->world, footprint.height_m), start->position(),
-                          kPassable_m);
-    const FreeFloor seen(cross_section(setting->world, setting->vehicle.simulated.scanner.height_m),
-                         start->position(), 0.03);
-    Random random(seed ^ 0x10ca1);
-    const Pose2 T_world_start = random_pose(*setting, floor, *start, random);
-    const Building known = options.outdated_map
-                               ? outdated_map_of_world(*setting, seen, Random(seed ^ 0x01d), within)
-                               : building_of_world(*setting, seen);
-    runs.push_back(find_once(params, *setting, known, T_world_start, seed));
-  }
-  return outcome_of(options, runs);
+  for (const Json& record : ran->records) runs.push_back(record.at("run"));
+  Outcome outcome = outcome_of(options, runs);
+  ran->report(options, outcome);
+  return outcome;
 }
 
 }  // namespace aisle
