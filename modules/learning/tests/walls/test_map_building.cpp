@@ -54,26 +54,5 @@ TEST(MapBuilding, OdometryThatFreezesAndCatchesUpLeavesTheMapAsItIs) {
   EXPECT_THAT(off_at_end(log, map_of(log)), PoseNear(Pose2{}, 0.05, 1 * kDegree));
 }
 
-TEST(MapBuilding, AFrontAndARearScannerMakeOneMap) {
-  constexpr LaserScanner kFront{-kPi / 2, kPi / 180, 30, {0.2, 0, 0}},
-      kRear{-kPi / 2, kPi / 180, 30, {-0.3, 0.1, kPi}};
-  LaserLog both = RecordedDrive{.laser = kFront, .range_sigma_m = 0.01, .beams = 181}.log();
-  const LaserLog rear = RecordedDrive{.laser = kRear, .range_sigma_m = 0.01, .beams = 181}.log();
-  const std::vector<LaserScan> front_scans = std::move(both.scans);
-  both.lasers.push_back(kRear);
-  both.scans.clear();
-  for (std::size_t i = 0; i < front_scans.size(); ++i) {
-    both.scans.push_back(front_scans[i]);
-    both.scans.push_back(rear.scans[i]);
-    both.scans.back().laser = 1;
-  }
-  const MapResult map = map_of(both);
-  EXPECT_THAT(map.warnings, IsEmpty());
-  EXPECT_THAT(off_at_end(both, map), PoseNear(Pose2{}, 0.02, 0.5 * kDegree));
-  for (std::size_t i = 0; i < both.scans.size(); i += 2)
-    EXPECT_THAT(between(map.T_map_vehicle[i], map.T_map_vehicle[i + 1]),
-                PoseNear(Pose2{}, 0.03, 1 * kDegree));
-}
-
 }  // namespace
 }  // namespace aisle
