@@ -101,6 +101,7 @@ int run_program(int argc, char** argv) {
   add_convert_verb(app, work);
   add_map_verb(app, work);
   add_localise_verb(app, work);
+  add_compare_verb(app, work);
   add_sim_verb(app, work);
   add_maze_verb(app, work);
   add_session_verbs(app, work);

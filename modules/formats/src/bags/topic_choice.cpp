@@ -93,8 +93,10 @@ Result<std::size_t> best_scans(BagReader& bag, const std::vector<std::size_t>& s
   };
   const std::size_t best =
       *std::max_element(scans.begin(), scans.end(), [&](auto a, auto b) { return score(a) < score(b); });
-  warnings.push_back({{file, 0, bag.topics()[best].name},
-                      fmt::format("is taken of the topics with scans: {}", names_of(bag.topics(), scans))});
+  warnings.push_back(
+      {{file, 0, bag.topics()[best].name},
+       fmt::format("is taken of the topics with scans: {}; --scan A,B takes two scanners of one vehicle",
+                   names_of(bag.topics(), scans))});
   return best;
 }
 
