@@ -10,6 +10,7 @@ import { announce_results } from "./page/results";
 import { emergency_stop, held_bar } from "./page/stop";
 import { follow_theme } from "./page/theme";
 import { token_form } from "./page/token_form";
+import { SessionStore } from "./sessions/session_store";
 import { sessions_tab } from "./sessions/sessions_tab";
 import "./style.css";
 
@@ -17,7 +18,8 @@ follow_theme();
 take_token_from_address();
 const notices = new Notices();
 const app = make_app(socket_address(), notices);
-const tabs = [drive_tab(app), maze_tab(app), sessions_tab(app), building_tab(app)];
+const sessions = new SessionStore(app);
+const tabs = [drive_tab(app, sessions), maze_tab(app), sessions_tab(app, sessions), building_tab(app)];
 
 const main = element("main", { id: "main" }, ...tabs.map((tab) => tab.element));
 document.body.append(

@@ -2,6 +2,7 @@ import { BuildingStore } from "../building/building_store";
 import { CameraView } from "../camera/camera_view";
 import type { App, Tab } from "../page/app";
 import { button, element } from "../page/element";
+import type { SessionStore } from "../sessions/session_store";
 import { text } from "../text";
 import { details_panel } from "./details_panel";
 import { hand_panel } from "./hand_panel";
@@ -41,7 +42,7 @@ function stage(app: App, plan: HTMLElement): HTMLElement {
 }
 
 /** Watch the vehicle, start missions, drive by hand and teach routes. */
-export function drive_tab(app: App): Tab {
+export function drive_tab(app: App, sessions: SessionStore): Tab {
   const store = new BuildingStore(app);
   const { plan, layers } = plan_stage(app, store);
   const hand = hand_panel(app);
@@ -50,7 +51,13 @@ export function drive_tab(app: App): Tab {
     { class: "tab drive-tab" },
     stage(app, plan),
     hand.steering,
-    element("div", { class: "sheet" }, mission_panel(app, store), hand.panel, details_panel(app, layers)),
+    element(
+      "div",
+      { class: "sheet" },
+      mission_panel(app, store, sessions),
+      hand.panel,
+      details_panel(app, layers),
+    ),
   );
   return { name: "drive", title: text.tabs.drive, element: tab };
 }

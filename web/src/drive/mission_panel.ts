@@ -2,15 +2,14 @@ import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
 import { button, element, panel, set_text, select } from "../page/element";
 import { short_duration } from "../page/status";
-import { SessionStore } from "../sessions/session_store";
+import type { SessionStore } from "../sessions/session_store";
 import { text } from "../text";
 import { mission_forms, start_request } from "./mission_forms";
 import type { MissionForm } from "./mission_forms";
 import { MissionFields } from "./mission_fields";
 
 /** The form of the mission that is chosen; while one runs, how far it is, and how to pause and end it. */
-export function mission_panel(app: App, store: BuildingStore): HTMLElement {
-  const sessions = new SessionStore(app);
+export function mission_panel(app: App, store: BuildingStore, sessions: SessionStore): HTMLElement {
   const about = element("p", { class: "about" });
   const place = element("div", { class: "fields" });
   const keeps_buildings = () => app.state.value?.keeps_buildings ?? false;

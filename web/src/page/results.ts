@@ -18,7 +18,7 @@ export function announce_results(app: App): void {
   app.state.watch((state) => {
     if (!state) return;
     const last = JSON.stringify(state.last);
-    const is_news = known !== undefined && last !== known && state.last;
+    const is_news = known === undefined ? state.mode === "ended" : last !== known;
     known = last ?? "";
     if (is_news && state.last)
       app.notices.show(result_text(state.last), state.last.ok ? "result" : "trouble");

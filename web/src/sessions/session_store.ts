@@ -29,6 +29,7 @@ export class SessionStore {
   async refresh(): Promise<void> {
     if (!this.app.connection.services.value.has("sessions/list")) return;
     const { sessions } = await this.app.connection.call<{ sessions: SessionEntry[] }>("sessions/list");
-    this.sessions.value = sessions.sort((a, b) => by_name.compare(a.name, b.name));
+    sessions.sort((a, b) => by_name.compare(a.name, b.name));
+    if (JSON.stringify(sessions) !== JSON.stringify(this.sessions.value)) this.sessions.value = sessions;
   }
 }

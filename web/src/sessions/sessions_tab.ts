@@ -10,7 +10,7 @@ import { text } from "../text";
 import { replay_bar } from "./replay_bar";
 import { figure_lines } from "./session_figures";
 import { session_table } from "./session_list";
-import { SessionStore } from "./session_store";
+import type { SessionStore } from "./session_store";
 
 function download_links(name: string, files: string[]): HTMLElement {
   const link = (file: string) =>
@@ -28,8 +28,7 @@ function plan_of(app: App): HTMLElement {
 }
 
 /** Recorded sessions: figures, download, and replay on the same topics as a drive. */
-export function sessions_tab(app: App): Tab {
-  const store = new SessionStore(app);
+export function sessions_tab(app: App, store: SessionStore): Tab {
   const chosen = new Signal("");
   const wanted = new Signal("");
   const table = element("div", {

@@ -155,10 +155,10 @@ test("Sessions beside foreign files are listed, with the file of each kind", asy
   await page.getByRole("button", { name: "moved", exact: true }).waitFor();
 });
 
-test("A watched verb says how it ended before its program is gone", { timeout: 120000 }, async () => {
+test("A watched verb says how it ended before its program is gone", { timeout: 300000 }, async () => {
   const watched = await start_watched(["explore", "l-corridor", "--rate", "0"]);
   const other = await open_page(browser, watched.address);
-  await other.getByText("Last: explore done.").waitFor({ timeout: 90000 });
+  await other.getByText("Last: explore done.").waitFor({ timeout: 240000 });
   await other.getByText("explore has ended and its program is gone").waitFor();
   assert.equal(await watched.ended(), 0);
   await other.context().close();

@@ -163,6 +163,7 @@ test("A session is listed and replayed, and its building is edited", async () =>
   await page.getByRole("button", { name: "Play", exact: true }).waitFor();
   await page.getByRole("slider", { name: "Time" }).press("Home");
   await until(async () => (await shown_s()) < 1, "the picture at the beginning");
+  await page.getByText(/^0\.0 of \d/).waitFor();
   await keep_screenshot(page, "sessions-dark");
   await page.getByRole("button", { name: "End the replay" }).click();
   await page.getByText("l-corridor: waiting").waitFor();
