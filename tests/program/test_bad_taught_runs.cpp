@@ -90,7 +90,7 @@ TEST_F(BadTaughtRuns, UnknownMethodsAreRefused) {
   EXPECT_THAT(run_aisle({"learn", at("none"), "--method", "owls", "--out", at("out"), "--json"}),
               IsRefused(what));
   EXPECT_THAT(navigate(at("none"), {"--method", "owls"}), IsRefused(what));
-  EXPECT_THAT(run_aisle({"trial", "owls", "--json"}), IsRefused(what));
+  EXPECT_THAT(run_aisle({"trial", "owls", "--json"}), IsRefused("'owls' is none of landmarks, sections"));
 }
 
 TEST_F(BadTaughtRuns, SeedsThatAreNoneAreRefused) {

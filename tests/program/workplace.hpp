@@ -76,7 +76,8 @@ MATCHER_P(IsRefused, what, std::string("is refused with one line that says '") +
   if (arg.exit_code != 2 || arg.err.find(what) == std::string::npos) return false;
   if (arg.err.find('\n') != arg.err.size() - 1) return false;
   const nlohmann::json result = nlohmann::json::parse(arg.out, nullptr, false);
-  return result.is_object() && result["ok"] == false && result["files"].empty() && result["figures"].empty();
+  return result.is_object() && result["ok"] == false && result["files"].empty() &&
+         result["figures"].empty() && !result["problems"].empty();
 }
 
 }  // namespace aisle

@@ -1,8 +1,10 @@
 #include "aisle/trials/trial.hpp"
 
-#include <string_view>
+#include <fmt/format.h>
 
-#include "aisle/commands/method.hpp"
+#include <string_view>
+#include <vector>
+
 #include "aisle/commands/method_params.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "exploration/exploration_trial.hpp"
@@ -60,7 +62,9 @@ Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   for (const TrialMethod& trial : kTrialMethods) {
     if (trial.name == options.method) return trial.run(options, console);
   }
-  return method_named(options.method).problems();
+  std::vector<std::string_view> names;
+  for (const TrialMethod& trial : kTrialMethods) names.push_back(trial.name);
+  return Problem{{"METHOD"}, fmt::format("'{}' is none of {}", options.method, fmt::join(names, ", "))};
 }
 
 }  // namespace aisle

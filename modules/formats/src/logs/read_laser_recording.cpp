@@ -11,12 +11,13 @@
 
 #include "aisle/formats/bags/bag_reader.hpp"
 #include "aisle/formats/bags/laser_bag.hpp"
+#include "aisle/formats/file_contents.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
 #include "aisle/formats/logs/counted_log.hpp"
 #include "aisle/formats/logs/laser_csv.hpp"
 #include "aisle/formats/logs/rawlog.hpp"
 #include "logs/recording_kind.hpp"
-#include "logs/unpacked_file.hpp"
+#include "unpacked_file.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;

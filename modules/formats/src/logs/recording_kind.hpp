@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace aisle {
@@ -12,8 +11,5 @@ inline constexpr std::size_t kRecordingHead = 1 << 18;
 
 /// @param head  the first bytes, unpacked
 RecordingKind recording_kind(std::string_view head);
-
-/// What a file looks like that is no recording, for people: "a PNG image".
-std::string describe_contents(std::string_view head);
 
 }  // namespace aisle

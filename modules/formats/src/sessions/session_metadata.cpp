@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "yaml_text.hpp"
+
 namespace aisle {
 namespace {
 
@@ -126,7 +128,7 @@ std::string metadata_yaml(const SessionMetadata& metadata) {
 
 Result<SessionFile> parse_session_file(const std::string& text, const std::string& name) {
   try {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node root = load_yaml(text);
     const YAML::Node bag = root.IsMap() ? root["rosbag2_bagfile_information"] : YAML::Node();
     if (!bag || !bag.IsMap())
       return Problem{{name, 0, "rosbag2_bagfile_information"}, "is missing: this is not a bag's metadata"};

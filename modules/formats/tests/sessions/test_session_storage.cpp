@@ -1,5 +1,6 @@
 /// What a session holds does not depend on its storage, and an MCAP file is read as far as it goes.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <tuple>
 
@@ -7,6 +8,7 @@
 #include "aisle/formats/sessions/session_cycles.hpp"
 #include "aisle/formats/sessions/session_reader.hpp"
 #include "aisle/formats/sessions/session_summary.hpp"
+#include "aisle/formats/sessions/session_writer.hpp"
 #include "session_samples.hpp"
 #include "written_file.hpp"
 
@@ -172,6 +174,17 @@ TEST(McapSession, ATypeOfOthersHasNoDefinition) {
   }
   EXPECT_THAT(read_session(place / "bag").messages,
               ElementsAre(std::tuple("/own", "own_msgs/msg/Thing", false, ros::Stamp_ns{5}, "bytes")));
+}
+
+TEST(SessionStorage, ASessionThatWasKilledBeforeItsFirstSecondSaysSo) {
+  for (const SessionStorage storage : {SessionStorage::kSqlite, SessionStorage::kMcap}) {
+    const fs::path directory =
+        fs::temp_directory_path() / ("aisle_first_second_" + std::to_string(::getpid()));
+    ASSERT_TRUE(SessionWriter::create(directory, true, storage).ok());
+    EXPECT_THAT(to_string(SessionCycles::open(directory).problems()),
+                HasSubstr("ended before its first second"));
+    fs::remove_all(directory);
+  }
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ struct PlanReading {
 /// @param solid_from_black  the share of black from which a pixel is solid: 0 white, 1 black
 FloorPlan floor_plan(const TransparentImage& grey, double cell_m, double solid_from_black = kSolidFromBlack);
 
-/// Reads PBM, PGM or any format of read_image(), recognised by the first bytes. At most 8192 columns or rows.
+/// Reads PBM, PGM or any format of read_image(), recognised by the first bytes. At most 8192 columns or rows
+/// and 33 million pixels.
 /// @param cell_m  side of a pixel
 Result<PlanReading> read_plan_image(const std::filesystem::path& path, double cell_m,
                                     double solid_from_black = kSolidFromBlack);
