@@ -36,6 +36,7 @@ class GoalFollower final : public Navigator {
   Decision step(const Observation& observation) override;
 
   const GuideNavigator& navigator() const { return navigator_; }
+  bool is_finding() const { return false; }  ///< it begins at home
   std::size_t goals() const { return goals_; }
   std::size_t goals_reached() const { return reached_; }
 
