@@ -132,10 +132,11 @@ Result<Json> localise_seed(const TrialOptions& options, const PlaceFinderParams&
                        start->position(), 0.03);
   Random random(seed ^ 0x10ca1);
   const Pose2 T_world_start = random_pose(*setting, floor, *start, random);
-  const Building known = options.outdated_map
-                             ? outdated_map_of_world(*setting, seen, Random(seed ^ 0x01d), progress)
-                             : building_of_world(*setting, seen);
-  const Json run = find_once(params, *setting, known, T_world_start, seed);
+  const Result<Building> known = options.outdated_map
+                                     ? outdated_map_of_world(*setting, seen, Random(seed ^ 0x01d), progress)
+                                     : building_of_world(*setting, seen);
+  if (!known) return known.problems();
+  const Json run = find_once(params, *setting, *known, T_world_start, seed);
   return Json{{"ok", is_found_soon(run)}, {"run", run}};
 }
 
