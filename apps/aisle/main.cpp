@@ -72,14 +72,14 @@ int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output outpu
   while (!deepest->get_subcommands().empty()) deepest = deepest->get_subcommands().front();
   const std::string verb = verb_of(app);
   const std::string program = verb.empty() ? "aisle" : "aisle " + verb;
-  const std::vector<std::string> unknown = deepest->remaining();
+  const std::vector<std::string> unknown = app.remaining(true);
   std::string why = error.what();
   if (verb.empty() && !unknown.empty()) why = "unknown verb or option '" + unknown.front() + "'";
-  if (const auto word =
-          std::find_if(unknown.begin(), unknown.end(),
-                       [&](const std::string& w) { return verb.empty() || w.starts_with("--"); });
-      word != unknown.end())
-    why += suggestion(*deepest, *word);
+  const bool has_verbs_below = !deepest->get_subcommands([](const CLI::App*) { return true; }).empty();
+  const auto word = std::find_if(unknown.begin(), unknown.end(), [&](const std::string& one) {
+    return has_verbs_below || one.starts_with("--");
+  });
+  if (word != unknown.end()) why += suggestion(*deepest, *word);
   return refuse(verb, {{{program}, fmt::format("{} (see {} --help)", why, program)}}, output);
 }
 
