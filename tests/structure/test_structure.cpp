@@ -84,7 +84,7 @@ TEST_F(Structure, PrintingAndEndingTheProgramAreRecognised) {
 /// A worker of `trials` is a process that the library has started: it ends without the program's exit
 /// handlers.
 bool ends_a_worker(const std::string& module, const std::string& line) {
-  return module == "trials" && line == "  ::_exit(EXIT_SUCCESS);";
+  return module == "trials" && line.ends_with("::_exit(EXIT_SUCCESS);");
 }
 
 TEST_F(Structure, LibrariesNeverPrintExitOrAbort) {
