@@ -73,11 +73,7 @@ int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output outpu
   const std::string verb = verb_of(app);
   const std::string program = verb.empty() ? "aisle" : "aisle " + verb;
   const bool has_verbs_below = !deepest->get_subcommands([](const CLI::App*) { return true; }).empty();
-  std::vector<std::string> unknown = app.remaining(true);
-  // A verb that needs another one is refused before the parser looks at what stands in its place.
-  const char* const* below = std::find(argv, argv + argc, deepest->get_name());
-  if (unknown.empty() && has_verbs_below && below + 1 < argv + argc && below[1][0] != '-')
-    unknown = {below[1]};
+  const std::vector<std::string> unknown = app.remaining(true);
   std::string why = error.what();
   if (verb.empty() && !unknown.empty()) why = "unknown verb or option '" + unknown.front() + "'";
   const auto word = std::find_if(unknown.begin(), unknown.end(), [&](const std::string& one) {

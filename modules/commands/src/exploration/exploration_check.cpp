@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "aisle/simulation/cross_section.hpp"
 #include "aisle/simulation/paths/clearance_grid.hpp"
@@ -15,13 +16,33 @@ namespace {
 
 constexpr double kOpeningCell_m = 0.05;
 constexpr double kNearStart_m = 0.5;
-constexpr double kNextCells = 1.7;  // less than this beyond the clearance, the next cell would be too near
 constexpr int kRays = 72;
 constexpr double kOutsideShare = 0.4;  ///< share of rays without a hit from which on a place is outside
 
-/// The shortest path of cells from a place to where only the edge of the grid is in the way; empty if there
-/// is none.
-std::vector<Vec2> path_out(const ClearanceGrid& grid, const Vec2& start, double clearance_m) {
+/// The rectangle that holds all obstacles.
+struct ObstacleBox {
+  Vec2 min = Vec2::Constant(std::numeric_limits<double>::infinity()), max = -min;
+
+  explicit ObstacleBox(const std::vector<Segment2>& obstacles) {
+    for (const Segment2& obstacle : obstacles) {
+      min = min.cwiseMin(obstacle.start).cwiseMin(obstacle.end);
+      max = max.cwiseMax(obstacle.start).cwiseMax(obstacle.end);
+    }
+  }
+  bool contains(const Vec2& p) const { return (p - min).minCoeff() >= 0 && (max - p).minCoeff() >= 0; }
+};
+
+/// Clearance as far out of the rectangle as the vehicle is wide: a grid is closed at its edge.
+ClearanceGrid clearance_around(std::vector<Segment2> obstacles, const ObstacleBox& box, double width_m) {
+  const Vec2 beyond = Vec2::Constant(width_m + 0.5), low = box.min - beyond, high = box.max + beyond;
+  obstacles.push_back({low, low});
+  obstacles.push_back({high, high});
+  return ClearanceGrid(obstacles, kOpeningCell_m);
+}
+
+/// The shortest path of cells from a place out of the rectangle; empty if there is none.
+std::vector<Vec2> path_out(const ClearanceGrid& grid, const ObstacleBox& box, const Vec2& start,
+                           double clearance_m) {
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> came_from(grid.size(), kNone), open;
   for (std::size_t cell = 0; cell < grid.size(); ++cell) {
@@ -29,11 +50,10 @@ std::vector<Vec2> path_out(const ClearanceGrid& grid, const Vec2& start, double 
     came_from[cell] = cell;
     open.push_back(cell);
   }
-  const auto columns = static_cast<std::size_t>(grid.columns()), rows = static_cast<std::size_t>(grid.rows());
+  const auto columns = static_cast<std::size_t>(grid.columns());
   for (std::size_t next = 0; next < open.size(); ++next) {
-    const std::size_t cell = open[next], column = cell % columns, row = cell / columns;
-    const std::size_t to_edge = std::min({column, row, columns - 1 - column, rows - 1 - row});
-    if (static_cast<double>(to_edge) * grid.cell_m() < clearance_m + kNextCells * grid.cell_m()) {
+    const std::size_t cell = open[next];
+    if (!box.contains(grid.centre(cell))) {
       std::vector<Vec2> path = {grid.centre(cell)};
       for (std::size_t at = cell; came_from[at] != at; at = came_from[at])
         path.push_back(grid.centre(came_from[at]));
@@ -61,9 +81,11 @@ std::optional<Vec2> opening_of(const World& world, const VehicleDescription& veh
                                const Vec2& p_world_start) {
   const std::vector<Segment2> obstacles = obstacles_below(world, vehicle.footprint.height_m);
   if (obstacles.empty()) return p_world_start;
-  const ClearanceGrid grid(obstacles, kOpeningCell_m);
-  if (!grid.contains(p_world_start)) return p_world_start;
-  const std::vector<Vec2> path = path_out(grid, p_world_start, vehicle.footprint.width_m / 2);
+  const ObstacleBox box(obstacles);
+  if (!box.contains(p_world_start)) return p_world_start;
+  const double width_m = vehicle.footprint.width_m;
+  const ClearanceGrid grid = clearance_around(obstacles, box, width_m);
+  const std::vector<Vec2> path = path_out(grid, box, p_world_start, width_m / 2);
   if (path.empty()) return std::nullopt;
   const WallGrid walls(obstacles);
   const auto first =
