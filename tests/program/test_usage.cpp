@@ -45,8 +45,10 @@ TEST_F(Usage, MistakesAreRefusedInOneLine) {
 
 TEST_F(Usage, MisspeltWordsGetASuggestion) {
   EXPECT_THAT(run_aisle({"exlore", "--json"}), IsRefused("'exlore'; did you mean explore?"));
-  EXPECT_THAT(run_aisle({"map", "a.log", "--relation", "r", "--json"}), IsRefused("did you mean --relations?"));
-  EXPECT_THAT(run_aisle({"trial", "foo", "--json"}), IsRefused("METHOD: 'foo' is none of landmarks, sections"));
+  EXPECT_THAT(run_aisle({"map", "a.log", "--relation", "r", "--json"}),
+              IsRefused("did you mean --relations?"));
+  EXPECT_THAT(run_aisle({"trial", "foo", "--json"}),
+              IsRefused("METHOD: 'foo' is none of landmarks, sections"));
 }
 
 TEST_F(Usage, HelpIsAlsoAWord) {

@@ -132,7 +132,8 @@ TEST(MapServerModes, TheUnknownGreyOfMapSaverIsUnknownWhateverTheThreshold) {
   const PlanReading saved = plan_of_map(row_of({0, 205, 254, 255}), *map);
   EXPECT_TRUE(saved.plan.is_solid(1, 0));
   EXPECT_FALSE(saved.plan.is_solid(2, 0));
-  EXPECT_THAT(to_string(saved.warnings), testing::HasSubstr("map.yaml:4: free_thresh: 0.25 makes grey 205 free"));
+  EXPECT_THAT(to_string(saved.warnings),
+              testing::HasSubstr("map.yaml:4: free_thresh: 0.25 makes grey 205 free"));
   const PlanReading drawn = plan_of_map(row_of({0, 205, 210, 220, 254}), *map);
   EXPECT_FALSE(drawn.plan.is_solid(1, 0)) << "a drawn map with other greys";
   EXPECT_THAT(to_string(drawn.warnings), testing::HasSubstr("taken as free"));
