@@ -169,12 +169,14 @@ std::optional<LegoRecord> read_lego_record(std::string_view line, long number, C
       .stamp_s = fields.number("time", kNumberMax) / 1000, .line = number, .counts = std::nullopt};
   std::vector<double> numbers = read_rest(fields, line);
   if (kind == "M" && numbers.size() < 5) fields.fail("has too few numbers for a record of motors");
+  const bool begins_with_count =
+      !numbers.empty() && numbers.front() == static_cast<double>(numbers.size() - 1);
+  if (kind == "S" && begins_with_count) numbers.erase(numbers.begin());
   if (kind == "S" && numbers.size() < 2) fields.fail("has too few readings");
   if (!fields.ok()) return log.leave_out(number, fields.failure()), std::nullopt;
   if (kind == "M") {
     record.counts = Counts{numbers[0], numbers[4]};
   } else {
-    if (numbers.front() == static_cast<double>(numbers.size() - 1)) numbers.erase(numbers.begin());
     record.readings_mm = std::move(numbers);
   }
   return record;
