@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr int kLevelsMax = 64;
+constexpr int kJsonLevelsMax = 64;
 
 /// Where brackets that open and do not close become too many; the text's size if they never do.
 std::size_t too_deep_at(std::string_view text) {
@@ -22,7 +22,7 @@ std::size_t too_deep_at(std::string_view text) {
     if (is_in_string) continue;
     if (c == '[' || c == '{') ++levels;
     if (c == ']' || c == '}') --levels;
-    if (levels > kLevelsMax) return at;
+    if (levels > kJsonLevelsMax) return at;
   }
   return text.size();
 }
@@ -37,7 +37,7 @@ Result<Json> parse_json(std::string_view text, const std::string& name) {
   if (text.size() > kJsonBytesMax)
     return Problem{{name}, fmt::format("is larger than {} MiB of JSON", kJsonBytesMax >> 20)};
   if (const std::size_t at = too_deep_at(text); at < text.size())
-    return Problem{{name, line_of(at)}, fmt::format("nests deeper than {} levels here", kLevelsMax)};
+    return Problem{{name, line_of(at)}, fmt::format("nests deeper than {} levels here", kJsonLevelsMax)};
   try {
     return Json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {

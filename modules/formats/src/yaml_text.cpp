@@ -13,7 +13,7 @@
 namespace aisle {
 namespace {
 
-constexpr int kLevelsMax = 32;
+constexpr int kYamlLevelsMax = 32;
 constexpr std::size_t kValuesMax = 2'000'000;
 
 /// Follows a document without keeping it.
@@ -44,8 +44,8 @@ class YamlLimits final : public YAML::EventHandler {
   }
   void descend(const YAML::Mark& mark) {
     count(mark);
-    if (++levels_ > kLevelsMax)
-      throw YAML::ParserException(mark, fmt::format("more than {} levels", kLevelsMax));
+    if (++levels_ > kYamlLevelsMax)
+      throw YAML::ParserException(mark, fmt::format("more than {} levels", kYamlLevelsMax));
   }
 
   int levels_ = 0;
