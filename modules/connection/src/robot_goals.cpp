@@ -8,7 +8,7 @@
 #include "aisle/formats/bags/bag_scan.hpp"
 #include "aisle/formats/bags/transform_tree.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
-#include "map_frame.hpp"
+#include "aisle/formats/sessions/map_frame.hpp"
 
 namespace aisle {
 namespace {
@@ -44,9 +44,9 @@ Problems RobotGoals::subscribe(Wire& wire, Inbox& inbox) {
         inbox.T_map.reset();
         if (!T_map) {
           inbox.refused = "is no pose";
-        } else if (frame_name(message->header.frame_id) != kMapFrameId) {
+        } else if (frame_name(message->header.frame_id) != kMapFrame) {
           inbox.refused =
-              fmt::format("is in the frame '{}', not in '{}'", message->header.frame_id, kMapFrameId);
+              fmt::format("is in the frame '{}', not in '{}'", message->header.frame_id, kMapFrame);
         } else {
           inbox.T_map = in_the_plane(*T_map);
         }

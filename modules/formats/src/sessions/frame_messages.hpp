@@ -1,6 +1,7 @@
 #pragma once
 /// Messages for viewers besides the exact readings: frames, dead reckoning, the command as a twist.
 
+#include "aisle/formats/sessions/map_frame.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/vehicle/command.hpp"
 #include "aisle/vehicle/observation.hpp"
@@ -8,8 +9,6 @@
 #include "sessions/session_topics.hpp"
 
 namespace aisle {
-
-inline constexpr const char* kMapFrame = "map";
 
 /// /odom: the dead-reckoned pose. @param duration_s  of the last motion; 0: unknown
 RecordedMessage odometry_message(ros::Stamp_ns stamp, const Pose2& T_odom_vehicle, const Pose2& motion,

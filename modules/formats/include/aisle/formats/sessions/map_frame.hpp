@@ -3,6 +3,6 @@
 namespace aisle {
 
 /// The frame of aisle's maps, as ROS calls it.
-inline constexpr const char* kMapFrameId = "map";
+inline constexpr const char* kMapFrame = "map";
 
 }  // namespace aisle
