@@ -51,6 +51,10 @@ bool is_same_trial(Json header, Json other) {
   return header == other;
 }
 
+Problem no_journal(const Place& place) {
+  return {place, "is no journal of a trial: choose another --out, or --force to replace it"};
+}
+
 }  // namespace
 
 Result<TrialJournal> TrialJournal::open(const TrialOptions& options) {
@@ -68,41 +72,45 @@ Result<TrialJournal> TrialJournal::open(const TrialOptions& options) {
     return Problem{{name}, "is being written by another trial"};
   if (options.force && ::ftruncate(journal.descriptor_, 0) != 0)
     return Problem{{name}, fmt::format("cannot be emptied: {}", std::strerror(errno))};
-  const Json header = header_of(options);
   const auto text = read_whole_file(journal.path_, kJournalBytesMax);
   if (!text) return text.problems();
-  Problems problems = text->empty() ? journal.write(header) : journal.read(header, *text);
-  if (!problems.empty()) return problems;
+  journal.header_ = header_of(options);
+  if (Problems problems = journal.read(*text); !problems.empty()) return problems;
   return journal;
 }
 
 TrialJournal::TrialJournal(TrialJournal&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      is_empty_(other.is_empty_),
+      header_(std::move(other.header_)),
       is_of_another_build_(other.is_of_another_build_),
       kept_(std::move(other.kept_)) {}
 
 TrialJournal::~TrialJournal() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (descriptor_ < 0) return;
+  if (is_empty_) ::unlink(path_.c_str());
+  ::close(descriptor_);
 }
 
 /// Takes the missions of whole lines; what a killed program left of its last line is cut off.
-Problems TrialJournal::read(const Json& header, const std::string& text) {
-  const std::size_t whole = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
+Problems TrialJournal::read(const std::string& text) {
+  is_empty_ = text.empty();
+  const std::size_t whole = text.rfind('\n') + 1;  // 0: there is no line
+  if (whole == 0 && !is_empty_) return {no_journal({path_.string()})};
   std::istringstream lines(text.substr(0, whole));
   long number = 0;
   for (std::string line; std::getline(lines, line);) {
     const Json said = Json::parse(line, nullptr, false);
     const Place place{path_.string(), ++number};
     if (number == 1) {
-      if (!said.is_object() || said.value("format", Json()) != kJournalFormat)
-        return {{place, "is no journal of a trial: choose another --out, or --force to replace it"}};
-      if (!is_same_trial(said, header))
+      if (!said.is_object() || said.value("format", Json()) != kJournalFormat) return {no_journal(place)};
+      if (!is_same_trial(said, header_))
         return {{place,
                  fmt::format("holds the missions of {} from seed {} on: choose another --out, or --force to "
                              "replace them",
                              said.value("command", Json()).dump(), said.value("first_seed", Json()).dump())}};
-      is_of_another_build_ = said.value("build", Json()) != header["build"];
+      is_of_another_build_ = said.value("build", Json()) != header_["build"];
       continue;
     }
     const bool is_mission = said.is_object() && said.contains("mission") && said["mission"].is_string() &&
@@ -110,7 +118,6 @@ Problems TrialJournal::read(const Json& header, const std::string& text) {
     if (!is_mission) return {{place, "is no mission's record"}};
     kept_[said["mission"].get<std::string>()] = said["record"];
   }
-  if (whole == 0) return write(header);
   if (::ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
     return {{{path_.string()}, fmt::format("cannot be cut to whole lines: {}", std::strerror(errno))}};
   return {};
@@ -125,6 +132,10 @@ Problems TrialJournal::write(const Json& line) const {
 
 Problems TrialJournal::add(const std::string& name, const Json& record) {
   if (path_.empty()) return {};
+  if (is_empty_) {
+    if (Problems problems = write(header_); !problems.empty()) return problems;
+    is_empty_ = false;
+  }
   return write({{"mission", name}, {"record", record}});
 }
 

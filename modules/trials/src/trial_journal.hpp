@@ -13,9 +13,9 @@ namespace aisle {
 
 class TrialJournal {
  public:
-  /// Opens `missions.jsonl` in `options.out`, or begins it. Without `--out` nothing is kept.
-  /// Problems: it holds another trial's missions, and not `options.force`; another program writes it; it
-  /// cannot be read or written.
+  /// Opens `missions.jsonl` in `options.out`; it is there once a mission has ended. Without `--out` nothing
+  /// is kept. Problems: it holds another trial's missions, and not `options.force`; another program writes
+  /// it; it cannot be read or written.
   static Result<TrialJournal> open(const TrialOptions& options);
 
   TrialJournal(TrialJournal&& other) noexcept;
@@ -32,11 +32,13 @@ class TrialJournal {
 
  private:
   explicit TrialJournal(std::filesystem::path path) : path_(std::move(path)) {}
-  Problems read(const nlohmann::ordered_json& header, const std::string& text);
+  Problems read(const std::string& text);
   Problems write(const nlohmann::ordered_json& line) const;
 
   std::filesystem::path path_;  ///< empty: nothing is kept
   int descriptor_ = -1;
+  bool is_empty_ = false;          ///< the file, which goes again if it stays so
+  nlohmann::ordered_json header_;  ///< its first line: which trial, by which build
   bool is_of_another_build_ = false;
   std::map<std::string, nlohmann::ordered_json> kept_;
 };

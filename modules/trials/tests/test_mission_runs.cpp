@@ -122,6 +122,17 @@ TEST_F(MissionRunsTest, KeepNoOtherTrialsMissions) {
   EXPECT_TRUE(run(squares()).ok());
 }
 
+TEST_F(MissionRunsTest, OfWhichNoneEndedLeaveNoJournal) {
+  options_.out = directory_;
+  const auto refused = run(per_seed(options_, [](std::uint64_t, Console&) -> Result<Json> {
+    return Problem{{"world.yaml"}, "is none"};
+  }));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_FALSE(std::filesystem::exists(journal()));
+  options_.words = {"counting", "--world", "other.yaml"};
+  EXPECT_TRUE(run(squares()).ok());
+}
+
 TEST_F(MissionRunsTest, RefuseAJournalThatIsNone) {
   options_.out = directory_;
   for (const char* text : {"nonsense\n", "[]\n", "{\"format\":1}\n", "{\"format\":\"aisle.world\"}\n"}) {
@@ -129,6 +140,14 @@ TEST_F(MissionRunsTest, RefuseAJournalThatIsNone) {
     const auto ran = run(squares());
     ASSERT_FALSE(ran.ok()) << text;
     EXPECT_THAT(to_string(ran.problems()), HasSubstr("missions.jsonl:1: is no journal of a trial")) << text;
+    EXPECT_TRUE(std::filesystem::exists(journal())) << text;
+  }
+  for (const char* text : {"nonsense", "\x01\x02"}) {
+    std::ofstream(journal()) << text;
+    const auto ran = run(squares());
+    ASSERT_FALSE(ran.ok()) << text;
+    EXPECT_THAT(to_string(ran.problems()), HasSubstr("missions.jsonl: is no journal of a trial")) << text;
+    EXPECT_EQ(std::filesystem::file_size(journal()), std::string(text).size()) << text;
   }
 }
 
