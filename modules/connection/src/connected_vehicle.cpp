@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "aisle/formats/sessions/ros_time.hpp"
+#include "camera_cycle.hpp"
 #include "command_outlet.hpp"
 #include "command_topic.hpp"
 #include "first_contact.hpp"
+#include "mission_clock.hpp"
 #include "odometry_reading.hpp"
 #include "robot_intake.hpp"
 #include "scan_fitting.hpp"
@@ -23,8 +23,8 @@ constexpr double kLookAtTopic_s = 0.25;   // how often it looks who else command
 constexpr double kClockStands_s = 10;     // of aisle's own time
 constexpr double kOdometryGone = 2;       // times silent_max_s: the mission ends
 
-bool is_silent(const SwitchState& state, double silent_max_s, double now_s) {
-  return silent_max_s > 0 && now_s - state.arrived_s > silent_max_s;
+std::string silence(const std::string& topic, double silent_s) {
+  return fmt::format("{} silent for {:.1f} s", topic, silent_s);
 }
 
 }  // namespace
@@ -39,11 +39,14 @@ class ConnectedVehicle::Cycle {
         intake_(std::move(intake)),
         contact_(std::move(contact)),
         command_topic_(connection.topic(connection.commands.topic)),
-        outlet_(
-            std::move(publisher), {contact_.commands, connection.commands.age_max_s, connection.frames.base},
-            contact_.vehicle, [this] { return now_s(); }, [this] { return stamp_now(); }) {
+        mission_clock_(contact_.vehicle.cycle_s) {
+    if (contact_.commands)
+      outlet_.emplace(
+          std::move(publisher),
+          CommandOutlet::Settings{*contact_.commands, connection.commands.age_max_s, connection.frames.base},
+          contact_.vehicle, [this] { return now_s(); }, [this] { return stamp_now(); });
     const auto lock = intake_->lock();
-    intake_->state().scans.clear();  // they are from before the vehicle was looked at
+    drop_readings();  // they are from before the vehicle was looked at
     connected_s_ = intake_->now_s();
   }
 
@@ -53,11 +56,13 @@ class ConnectedVehicle::Cycle {
 
   void act(const Command& command) {
     steering_rad_ = within(contact_.vehicle.limits, command).steering_rad;
-    outlet_.act(command);
+    if (outlet_) outlet_->act(command);
   }
 
-  void fall_silent(bool is_silent) { outlet_.fall_silent(is_silent); }
-  Arc commanded() { return outlet_.commanded(); }
+  void fall_silent(bool is_silent) {
+    if (outlet_) outlet_->fall_silent(is_silent);
+  }
+  Arc commanded() { return outlet_ ? outlet_->commanded() : Arc{}; }
 
   std::optional<Observation> sense() {
     for (;;) {
@@ -67,9 +72,9 @@ class ConnectedVehicle::Cycle {
       if (!end_reason_.empty()) return std::nullopt;
       auto lock = intake_->lock();
       if (is_held()) {
-        drop_scans();
-      } else if (!intake_->state().scans.empty()) {
-        return observe(lock);
+        if (drop_readings()) mission_clock_.hold();
+      } else if (auto observation = observe(lock)) {
+        return observation;
       }
       intake_->wait(lock, kAsk_s);
     }
@@ -78,9 +83,9 @@ class ConnectedVehicle::Cycle {
   ConnectionCounts counts() const {
     const auto lock = intake_->lock();
     ConnectionCounts counts = intake_->state().counts;
-    counts.commands_aged = outlet_.aged();
+    counts.commands_aged = outlet_ ? outlet_->aged() : 0;
     counts.holds = holds_;
-    counts.held_s = held_s_;
+    counts.held_s = mission_clock_.held_s();
     return counts;
   }
 
@@ -98,9 +103,9 @@ class ConnectedVehicle::Cycle {
   /// Looks seldom, without the intake's lock: the wire has locks of its own.
   void look_at_command_topic() {
     const double now_s = surroundings_.clock.now_s();
-    if (now_s - looked_s_ < kLookAtTopic_s) return;
+    if (!outlet_ || now_s - looked_s_ < kLookAtTopic_s) return;
     looked_s_ = now_s;
-    obstacle_ = command_obstacle(surroundings_.wire.endpoints(), command_topic_, contact_.commands);
+    obstacle_ = command_obstacle(surroundings_.wire.endpoints(), command_topic_, *contact_.commands);
   }
 
   /// Holds, goes on or ends. The outlet is told without the intake's lock, which it takes itself.
@@ -111,12 +116,16 @@ class ConnectedVehicle::Cycle {
       end_reason_ = why_end();
       because = why_held();
     }
-    if (!end_reason_.empty()) return outlet_.hold(true);
+    if (!end_reason_.empty()) return hold(true);
     if (because == held_because_) return;
     if (!is_held()) ++holds_;
     held_because_ = because;
-    outlet_.hold(is_held());
+    hold(is_held());
     surroundings_.note(is_held() ? "held: " + because : std::string("goes on"));
+  }
+
+  void hold(bool is_held) {
+    if (outlet_) outlet_->hold(is_held);
   }
 
   std::string why_end() const {
@@ -127,12 +136,16 @@ class ConnectedVehicle::Cycle {
     if (connection_.clock == ConnectedClock::kRos &&
         surroundings_.clock.now_s() - state.clock_arrived_s > kClockStands_s)
       return fmt::format("/clock stands still for {:.0f} s", kClockStands_s);
-    if (silent_s(state.scan_arrived_s) > connection_.scan.silent_max_s)
-      return fmt::format("{} silent for {:.1f} s", connection_.topic(connection_.scan.topic),
-                         connection_.scan.silent_max_s);
+    if (has_scanner() && silent_s(state.scan.arrived_s) > connection_.scan.silent_max_s)
+      return silence(intake_->scans().topic, connection_.scan.silent_max_s);
+    for (std::size_t i = 0; i < state.cameras.size(); ++i) {
+      const double silent_max_s = connection_.cameras[i].silent_max_s;
+      if (silent_s(state.cameras[i].stream.arrived_s) > silent_max_s)
+        return silence(intake_->camera_name(i), silent_max_s);
+    }
     const double odometry_max_s = kOdometryGone * connection_.odometry.silent_max_s;
     if (silent_s(state.odometry_arrived_s) > odometry_max_s)
-      return fmt::format("{} silent for {:.1f} s", intake_->needed_topics()[1].topic, odometry_max_s);
+      return silence(intake_->odometry().topic, odometry_max_s);
     return {};
   }
 
@@ -142,56 +155,63 @@ class ConnectedVehicle::Cycle {
     for (std::size_t i = 0; i < state.emergency_stops.size(); ++i) {
       const std::string topic = connection_.topic(connection_.emergency_stops[i].topic);
       if (state.emergency_stops[i].is_pressed) return fmt::format("the emergency stop {} is pressed", topic);
-      if (is_silent(state.emergency_stops[i], connection_.emergency_stops[i].silent_max_s, now_s))
+      if (state.emergency_stops[i].is_silent(connection_.emergency_stops[i].silent_max_s, now_s))
         return fmt::format("the emergency stop {} is silent", topic);
     }
     if (now_s - std::max(state.odometry_arrived_s, connected_s_) > connection_.odometry.silent_max_s)
-      return fmt::format("{} is silent", intake_->needed_topics()[1].topic);
+      return fmt::format("{} is silent", intake_->odometry().topic);
     return obstacle_;
   }
 
   bool is_held() const { return !held_because_.empty(); }
 
+  bool has_scanner() const { return contact_.vehicle.scanner.has_value(); }
+
   /// While it is held, the mission's clock stands still; the way that it is pushed is kept.
-  void drop_scans() {
-    std::deque<BagScan>& scans = intake_->state().scans;
-    if (scans.empty()) return;
-    is_clock_held_ = true;
-    scans.clear();
-  }
-
-  Observation observe(std::unique_lock<std::mutex>& lock) {
+  /// @return whether a cycle would have ended
+  bool drop_readings() {
     RobotState& state = intake_->state();
-    BagScan scan = std::move(state.scans.front());
-    state.scans.pop_front();
-    const double scan_s = end_of_scan_s(scan);
-    intake_->wait_for_odometry(lock, scan_s, kOdometryWait_s);
-    if (state.trail.newest_s() < scan_s) ++state.counts.odometry_late;
-    if (contact_.is_upside_down) turn_over(scan);
-    Observation observation;
-    observation.stamp_s = mission_s(scan_s);
-    observation.scan = RangeScan{
-        observation.stamp_s, fitted_ranges(scan, contact_.grid, [&](double s) { return state.trail.at(s); })};
-    if (!readings_) readings_.emplace(contact_.vehicle, state.trail.at(scan_s));
-    observation.odometry = readings_->read(state.trail.at(scan_s), steering_rad_);
-    odometry_ = {ros::stamp_ns(scan_s), state.trail.in_odom(state.trail.at(scan_s))};
-    observation.bumper_pressed = touches(state);
-    return observation;
+    const bool ends_cycle = has_scanner() ? !state.scans.empty() : !state.cameras.front().images.empty();
+    state.scans.clear();
+    for (ArrivingImages& camera : state.cameras) camera.images.clear();
+    return ends_cycle;
   }
 
-  /// The mission's time at a scan: without the time for which the vehicle was held.
-  double mission_s(double scan_s) {
-    const double cycle_s = contact_.vehicle.cycle_s;
-    if (!last_scan_s_) {
-      first_s_ = scan_s - cycle_s;
-    } else if (is_clock_held_) {
-      const double held_s = std::max(0.0, scan_s - *last_scan_s_ - cycle_s);
-      first_s_ += held_s;
-      held_s_ += held_s;
-    }
-    is_clock_held_ = false;
-    last_scan_s_ = scan_s;
-    return scan_s - first_s_;
+  /// A scan ends a cycle, or where there is no scanner, the newest image of the first camera.
+  std::optional<BagScan> take_scan() {
+    std::deque<BagScan>& scans = intake_->state().scans;
+    if (scans.empty()) return std::nullopt;
+    BagScan scan = std::move(scans.front());
+    scans.pop_front();
+    if (contact_.is_upside_down) turn_over(scan);
+    return scan;
+  }
+
+  /// @return nullopt if nothing came that ends a cycle
+  std::optional<Observation> observe(std::unique_lock<std::mutex>& lock) {
+    RobotState& state = intake_->state();
+    const auto scan = take_scan();
+    if (has_scanner() ? !scan : state.cameras.front().images.empty()) return std::nullopt;
+    const double end_s = scan ? end_of_scan_s(*scan) : state.cameras.front().images.back().stamp_s;
+    std::vector<CameraImage> images =
+        decoded(take_images(state, end_s), contact_.vehicle.cameras, *intake_, lock);
+    if (!scan && (images.empty() || images.front().stamp_s != end_s)) return std::nullopt;
+    intake_->wait_for_odometry(lock, end_s, kOdometryWait_s);
+    if (state.trail.newest_s() < end_s) ++state.counts.odometry_late;
+    Observation observation;
+    observation.stamp_s = mission_clock_.at(end_s);
+    if (scan)
+      observation.scan =
+          RangeScan{observation.stamp_s,
+                    fitted_ranges(*scan, contact_.grid, [&](double s) { return state.trail.at(s); })};
+    for (CameraImage& image : images) image.stamp_s += observation.stamp_s - end_s;
+    observation.images = std::move(images);
+    if (!readings_) readings_.emplace(contact_.vehicle, state.trail.at(end_s));
+    observation.odometry = readings_->read(state.trail.at(end_s), steering_rad_);
+    odometry_ = {ros::stamp_ns(end_s), state.trail.in_odom(state.trail.at(end_s))};
+    observation.bumper_pressed = touches(state);
+    if (state.joystick) observation.operator_input = state.joystick->input(intake_->now_s());
+    return observation;
   }
 
   bool touches(RobotState& state) const {
@@ -199,7 +219,7 @@ class ConnectedVehicle::Cycle {
     for (std::size_t i = 0; i < state.bumpers.size(); ++i) {
       SwitchState& bumper = state.bumpers[i];
       touched |= bumper.is_pressed || bumper.was_pressed ||
-                 is_silent(bumper, connection_.bumpers[i].silent_max_s, intake_->now_s());
+                 bumper.is_silent(connection_.bumpers[i].silent_max_s, intake_->now_s());
       bumper.was_pressed = false;
     }
     return touched;
@@ -218,12 +238,9 @@ class ConnectedVehicle::Cycle {
   std::string held_because_;
   std::string end_reason_;
   double steering_rad_ = 0;
-  double first_s_ = 0;
-  std::optional<double> last_scan_s_;
-  bool is_clock_held_ = false;
+  MissionClock mission_clock_;
   std::size_t holds_ = 0;
-  double held_s_ = 0;
-  CommandOutlet outlet_;  ///< last: it uses the intake to its end
+  std::optional<CommandOutlet> outlet_;  ///< last: it uses the intake to its end; none: nothing is sent
 };
 
 Result<std::unique_ptr<ConnectedVehicle>> ConnectedVehicle::connect(const Connection& connection,
@@ -233,11 +250,15 @@ Result<std::unique_ptr<ConnectedVehicle>> ConnectedVehicle::connect(const Connec
   if (!intake) return intake.problems();
   auto contact = make_contact(connection, vehicle, **intake, surroundings);
   if (!contact) return contact.problems();
-  auto publisher = surroundings.wire.advertise(connection.topic(connection.commands.topic),
-                                               command_type(contact->commands), WireQuality::kCommand);
-  if (!publisher) return publisher.problems();
+  std::unique_ptr<WirePublisher> publisher;
+  if (contact->commands) {
+    auto advertised = surroundings.wire.advertise(connection.topic(connection.commands.topic),
+                                                  command_type(*contact->commands), WireQuality::kCommand);
+    if (!advertised) return advertised.problems();
+    publisher = std::move(*advertised);
+  }
   auto cycle = std::make_unique<Cycle>(connection, std::move(surroundings), std::move(*intake),
-                                       std::move(*contact), std::move(*publisher));
+                                       std::move(*contact), std::move(publisher));
   return std::unique_ptr<ConnectedVehicle>(new ConnectedVehicle(std::move(cycle)));
 }
 
