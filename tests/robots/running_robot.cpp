@@ -12,8 +12,17 @@
 
 namespace robots {
 
-RunningRobot::RunningRobot(const std::vector<std::string>& arguments) {
-  std::vector<char*> argv = {const_cast<char*>(MUJOCO_ROBOT)};
+RunningRobot::RunningRobot(const std::vector<std::string>& arguments)
+    : RunningRobot(MUJOCO_ROBOT, arguments) {}
+
+RunningRobot RunningRobot::person(const std::string& world, unsigned domain, bool by_joystick) {
+  std::vector<std::string> arguments = {world, std::to_string(domain)};
+  if (by_joystick) arguments.emplace_back("--joy");
+  return {ROBOT_PERSON, arguments};
+}
+
+RunningRobot::RunningRobot(const char* program, const std::vector<std::string>& arguments) {
+  std::vector<char*> argv = {const_cast<char*>(program)};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   int ends[2];
@@ -23,7 +32,7 @@ RunningRobot::RunningRobot(const std::vector<std::string>& arguments) {
   if (process_ == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(ends[1], STDOUT_FILENO);
-    execv(MUJOCO_ROBOT, argv.data());
+    execv(program, argv.data());
     _exit(127);
   }
   close(ends[1]);

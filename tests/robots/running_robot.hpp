@@ -8,11 +8,14 @@
 
 namespace robots {
 
-/// The program mujoco_robot as a child process: started by the constructor, killed by the destructor, and by
-/// the end of this process.
+/// A program as a child process: started by the constructor, killed by the destructor, and by the end of this
+/// process.
 class RunningRobot {
  public:
+  /// Starts mujoco_robot.
   explicit RunningRobot(const std::vector<std::string>& arguments);
+  /// Starts robot_person: somebody who drives a robot along a world's tour, with /cmd_vel or a joystick.
+  static RunningRobot person(const std::string& world, unsigned domain, bool by_joystick);
   ~RunningRobot();
   RunningRobot(const RunningRobot&) = delete;
   RunningRobot& operator=(const RunningRobot&) = delete;
@@ -26,6 +29,8 @@ class RunningRobot {
   int wait();
 
  private:
+  RunningRobot(const char* program, const std::vector<std::string>& arguments);
+
   pid_t process_;
   int output_;
 };

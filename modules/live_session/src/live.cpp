@@ -30,7 +30,7 @@ class LiveRun {
                  [this](const ServiceCall& call) { take_call(call); }),
         watched_{control_, console.warn, &control_} {
     control_.state().world = options.world;
-    control_.state().vehicle = options.vehicle;
+    control_.state().vehicle = options.connection.empty() ? options.vehicle : options.connection.string();
   }
 
   /// Runs until it is interrupted. The setting itself can be wrong only the first time.

@@ -18,6 +18,10 @@ Problems prepare_for_rooms(const TeachOptions& options, const VehicleDescription
                            DriveOptions& drive) {
   if (Problems problems = unfit_for_rooms(vehicle, {kFirstCamera}); !problems.empty()) return problems;
   drive.camera = kFirstCamera;
+  if (!drive.connection.empty()) {
+    if (!options.shows_view_pattern) return {};
+    return {{{"", 0, "--views"}, "only a scripted person can drive the pattern, which is simulated"}};
+  }
   const auto file = shipped_or_own("worlds", drive.world);
   if (!file) return file.problems();
   const auto world = read_world(*file);
