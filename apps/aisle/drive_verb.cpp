@@ -24,6 +24,7 @@ void add_drive_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->seed, "random seed; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->out, "output directory for the session");
   verb->add_flag("--force", options->force, "overwrite an existing session");
+  add_storage(*verb, options->storage);
   add_operator_options(*verb, *operator_options);
   const LiveOption live(*verb);
   verb->add_flag("--no-pictures", *no_images, "do not render camera images (faster)");

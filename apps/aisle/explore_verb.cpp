@@ -43,6 +43,7 @@ void add_explore_verb(CLI::App& app, Work& work) {
   verb->add_option("--session", options->session, "directory to record the run in as a session");
   verb->add_option("--resume", options->resumed, "session of an interrupted run to continue");
   verb->add_flag("--force", options->force, "overwrite existing results");
+  add_storage(*verb, options->storage);
   add_robot(*verb, options->connection,
             {"WORLD", "--resolution", "--vehicle", "--sensor", "--faults", "--start", "--compare", "--seed"});
   const LiveOption live(*verb);

@@ -10,10 +10,26 @@ using namespace aisle;
 
 namespace {
 
+MissionStart parse_told_start(const std::string& text) {
+  if (text == "home") return {};
+  if (text == "unknown") return {.is_unknown = true, .T_map_hint = {}};
+  return {.is_unknown = false, .T_map_hint = parse_place("--at", text)};
+}
+
 void add_mission_options(CLI::App& verb, GuideOptions& options) {
   verb.add_option("--world", options.world,
                   "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");
   add_resolution(verb, options.plan_pixel_m);
+  verb.add_option_function<std::string>(
+      "--start",
+      [&options](const std::string& text) { options.T_world_start = parse_place("--start", text); },
+      "put the simulated vehicle down at x,y,heading_deg of the world, and do not tell it (default: at "
+      "home)");
+  verb.add_option_function<std::string>(
+      "--at", [&options](const std::string& text) { options.told = parse_told_start(text); },
+      "where it begins: home, unknown (it finds itself), or x,y,heading_deg in the map, a hint that is "
+      "checked "
+      "(default: home; unknown with --start)");
   verb.add_option("--vehicle", options.vehicle,
                   "vehicle file (YAML) or name of a shipped vehicle (default alv-scanner)");
   verb.add_option(
@@ -22,7 +38,9 @@ void add_mission_options(CLI::App& verb, GuideOptions& options) {
   add_seed(verb, options.seed, "random seed; the same seed gives the same session (default 1)");
   verb.add_option("--out", options.out, "output directory for the session");
   verb.add_flag("--force", options.force, "overwrite an existing session");
-  add_robot(verb, options.connection, {"--world", "--resolution", "--vehicle", "--faults", "--seed"});
+  add_storage(verb, options.storage);
+  add_robot(verb, options.connection,
+            {"--world", "--resolution", "--vehicle", "--faults", "--seed", "--start"});
 }
 
 void require(const GuideOptions& options) {
@@ -37,12 +55,13 @@ void add_go_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<GuideOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
   verb->add_option("PLACE", options->place,
-                   "goal: name of a place or of a corridor node (\"end 1\"), or x,y in the map frame [m]");
+                   "goal: name of a place or of a corridor node (\"end 1\"), or x,y in the map frame [m]; "
+                   "with --connect and without it: the goals of the robot's viewer, on /goal_pose");
   add_mission_options(*verb, *options);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {
     require(*options);
-    if (options->place.empty()) throw CLI::RequiredError("PLACE");
+    if (options->place.empty() && options->connection.empty()) throw CLI::RequiredError("PLACE");
     work = live.around([options](Console& console, const auto&) { return run_go(*options, console); });
   });
 }

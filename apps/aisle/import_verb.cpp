@@ -1,17 +1,18 @@
 #include <memory>
 
 #include "aisle/commands/import_recording.hpp"
+#include "option_kinds.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
 
 void add_import_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("import", "make a session of the images of a recording made elsewhere");
+  CLI::App* verb =
+      app.add_subcommand("import", "make a session of a recording made elsewhere: images, scans");
   verb->fallthrough();
   auto options = std::make_shared<ImportOptions>();
-  verb->add_option(
-          "INPUT", options->recording,
-          "folder of a Donkeycar tub, list of images (CSV), folder of images, or ROS bag with images")
+  verb->add_option("INPUT", options->recording,
+                   "folder of a Donkeycar tub, list of images (CSV), folder of images, ROS bag, or laser log")
       ->required();
   verb->add_option("-o,--out", options->out, "directory of the new session")->required();
   verb->add_option("--rate", options->rate_hz,
@@ -25,9 +26,9 @@ void add_import_verb(CLI::App& app, Work& work) {
   verb->add_option("--camera", options->camera,
                    "topic of a bag's images (default: the only one), else name of the camera (default: the "
                    "vehicle's, or front)");
-  verb->add_option("--odometry", options->odometry,
-                   "topic of the odometry in a bag, or tf, or none (default: chosen, and said)");
+  add_reading_options(*verb, options->reading);
   verb->add_flag("--force", options->force, "overwrite an existing session");
+  add_storage(*verb, options->storage);
   verb->callback(
       [options, &work] { work = [options](Console& console) { return run_import(*options, console); }; });
 }

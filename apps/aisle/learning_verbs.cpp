@@ -29,6 +29,7 @@ void add_teach_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->drive.seed, "random seed; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->drive.out, "output directory for the session");
   verb->add_flag("--force", options->drive.force, "overwrite an existing session");
+  add_storage(*verb, options->drive.storage);
   add_choice<bool>(
       *verb, "--views", options->shows_view_pattern, {{"trail", false}, {"pattern", true}},
       "views of a taught place (method route): from the path to it (default), or from a pattern of 63 "
@@ -86,6 +87,7 @@ void add_navigate_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->seed, "random seed; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->out, "output directory for the session");
   verb->add_flag("--force", options->force, "overwrite an existing session");
+  add_storage(*verb, options->storage);
   add_robot(*verb, options->connection, {"--world", "--vehicle", "--faults", "--seed"});
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, navigate_parameters, work, [=, &work] {

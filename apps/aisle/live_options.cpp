@@ -21,6 +21,10 @@ void add_listening_options(CLI::App& verb, LiveListening& listening) {
       "needs --token-file");
   verb.add_option("--token-file", listening.token_file,
                   "file with the access token on one line; clients must present it");
+  verb.add_option("--allow-origin", listening.origins,
+                  "site of another viewer whose pages may connect, such as https://viewer.example (default: "
+                  "none); may be given again")
+      ->allow_extra_args(false);
   verb.add_option("--cert", listening.tls.certificate,
                   "TLS certificate (PEM) to serve the page over https; needs --key");
   verb.add_option("--key", listening.tls.key, "private key (PEM) of the certificate");

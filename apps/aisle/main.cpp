@@ -6,7 +6,10 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
+#include "aisle/core/terminal_text.hpp"
+#include "suggestion.hpp"
 #include "terminal_progress.hpp"
 #include "verb.hpp"
 
@@ -32,13 +35,14 @@ int print(const std::string& text, ExitCode code) {
 }
 
 int report(const aisle::Outcome& outcome, const Output& output) {
-  return print(output.json ? to_json(outcome) + "\n" : outcome.text, outcome.ok ? kDone : kMissionFailed);
+  return print(output.json ? to_json(outcome) + "\n" : aisle::terminal_text(outcome.text),
+               outcome.ok ? kDone : kMissionFailed);
 }
 
-int refuse(const std::string& verb, const std::string& why, const Output& output) {
-  fmt::print(stderr, "{}\n", why);
+int refuse(const std::string& verb, const aisle::Problems& problems, const Output& output) {
+  fmt::print(stderr, "{}\n", aisle::terminal_text(to_string(problems)));
   if (!output.json) return kBadInput;
-  return print(to_json(aisle::Outcome{.verb = verb, .ok = false}) + "\n", kBadInput);
+  return print(to_json(aisle::Outcome{.verb = verb, .ok = false, .problems = problems}) + "\n", kBadInput);
 }
 
 /// The verb as far as it was parsed: "map", "sim log".
@@ -64,11 +68,19 @@ void refuse_empty_arguments(const CLI::App& verb) {
 int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output output, int argc, char** argv) {
   // The parser stops at the first error, which may come before --json.
   output.json = std::any_of(argv, argv + argc, [](const std::string& word) { return word == "--json"; });
+  const CLI::App* deepest = &app;
+  while (!deepest->get_subcommands().empty()) deepest = deepest->get_subcommands().front();
   const std::string verb = verb_of(app);
   const std::string program = verb.empty() ? "aisle" : "aisle " + verb;
-  const std::vector<std::string> unknown = verb.empty() ? app.remaining() : std::vector<std::string>{};
-  const std::string why = unknown.empty() ? error.what() : "unknown verb or option '" + unknown.front() + "'";
-  return refuse(verb, fmt::format("{}: {} (see {} --help)", program, why, program), output);
+  const std::vector<std::string> unknown = deepest->remaining();
+  std::string why = error.what();
+  if (verb.empty() && !unknown.empty()) why = "unknown verb or option '" + unknown.front() + "'";
+  if (const auto word =
+          std::find_if(unknown.begin(), unknown.end(),
+                       [&](const std::string& w) { return verb.empty() || w.starts_with("--"); });
+      word != unknown.end())
+    why += suggestion(*deepest, *word);
+  return refuse(verb, {{{program}, fmt::format("{} (see {} --help)", why, program)}}, output);
 }
 
 int run(const std::string& verb, const Work& work, const Output& output) {
@@ -76,13 +88,14 @@ int run(const std::string& verb, const Work& work, const Output& output) {
   TerminalProgress progress(clock, !output.quiet && isatty(STDERR_FILENO) != 0);
   aisle::Console console{progress, [&](const std::string& warning) {
                            progress.clear();
-                           if (!output.quiet) fmt::print(stderr, "warning: {}\n", warning);
+                           if (!output.quiet)
+                             fmt::print(stderr, "warning: {}\n", aisle::terminal_text(warning));
                          }};
   catch_interrupts();
   try {
     const aisle::Result<aisle::Outcome> outcome = work(console);
     progress.clear();
-    return outcome ? report(*outcome, output) : refuse(verb, to_string(outcome.problems()), output);
+    return outcome ? report(*outcome, output) : refuse(verb, outcome.problems(), output);
   } catch (const aisle::Interrupted&) {
     progress.clear();
     fmt::print(stderr, "interrupted\n");
@@ -100,6 +113,8 @@ int run_program(int argc, char** argv) {
   Work work;
   add_convert_verb(app, work);
   add_map_verb(app, work);
+  add_localise_verb(app, work);
+  add_compare_verb(app, work);
   add_sim_verb(app, work);
   add_maze_verb(app, work);
   add_session_verbs(app, work);
@@ -115,8 +130,14 @@ int run_program(int argc, char** argv) {
   add_park_verb(app, work);
   add_reproduce_verb(app, work);
   add_trial_verb(app, work);
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (!words.empty() && words.front() == "help") {  // `aisle help map` is `aisle map --help`
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
-    app.parse(argc, argv);
+    app.parse(words);
     refuse_empty_arguments(app);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

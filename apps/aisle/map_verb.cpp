@@ -1,34 +1,10 @@
-#include <fmt/format.h>
-
-#include <charconv>
 #include <memory>
 
 #include "aisle/commands/map.hpp"
-#include "aisle/core/angle.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
-
-namespace {
-
-/// "x", "x,y" or "x,y,deg": pose of the laser on the vehicle [m, degrees].
-Pose2 parse_offset(const std::string& text) {
-  double values[3] = {0, 0, 0};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (int i = 0; i < 3; ++i) {
-    const auto [next, error] = std::from_chars(at, end, values[i]);
-    if (error != std::errc() || !std::isfinite(values[i])) break;
-    if (next == end) return {values[0], values[1], values[2] * kDegree};
-    if (*next != ',') break;
-    at = next + 1;
-  }
-  throw CLI::ValidationError("--laser-offset",
-                             fmt::format("'{}' is not x, x,y or x,y,degrees (metres)", text));
-}
-
-}  // namespace
 
 void add_map_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("map", "build a wall map from a recorded 2-D laser log with odometry");
@@ -36,11 +12,7 @@ void add_map_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   verb->add_option("LOG", options->log,
                    "recording of a 2-D laser scanner: CARMEN log, MRPT rawlog, CSV, ROS bag");
-  verb->add_option("--scan", options->reading.scan_topic,
-                   "topic of the scans in a bag (default: chosen, and said)");
-  verb->add_option(
-      "--odometry", options->reading.odometry,
-      "topic of the odometry in a bag, or tf; none: by the scans alone (default: chosen, and said)");
+  add_reading_options(*verb, options->reading);
   verb->add_option("--relations", options->relations,
                    "file of known relative poses, to measure the error against");
   add_choice<MapRules>(*verb, "--rules", options->rules,
@@ -51,14 +23,6 @@ void add_map_verb(CLI::App& app, Work& work) {
   add_choice<MapMode>(*verb, "--map-mode", options->map_mode,
                       {{"trinary", MapMode::kTrinary}, {"scale", MapMode::kScale}, {"raw", MapMode::kRaw}},
                       "mode of the map of cells for map_server (default trinary)");
-  add_choice<LengthUnit>(
-      *verb, "--units", options->reading.unit,
-      {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}, {"mm", LengthUnit::kMillimetre}},
-      "unit of lengths in the log (default m)");
-  verb->add_option_function<std::string>(
-      "--laser-offset",
-      [options](const std::string& text) { options->reading.T_vehicle_laser = parse_offset(text); },
-      "pose of the laser on the vehicle: x, x,y or x,y,degrees (default: from the log, else 0)");
   verb->add_option("--odometry-delay", options->odometry_delay_s,
                    "delay of the odometry behind its scan in seconds (default: estimated from the log)")
       ->check(CLI::Range(-10.0, 10.0));

@@ -7,8 +7,50 @@
 
 using aisle::ExploringSensor;
 using aisle::kDegree;
+using aisle::LengthUnit;
 using aisle::Pose2;
+using aisle::SessionStorage;
 using aisle::wrap_angle;
+
+namespace {
+
+/// "x", "x,y" or "x,y,deg": pose of the laser on the vehicle [m, degrees].
+Pose2 parse_offset(const std::string& text) {
+  double values[3] = {0, 0, 0};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (int i = 0; i < 3; ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    if (error != std::errc() || !std::isfinite(values[i])) break;
+    if (next == end) return {values[0], values[1], values[2] * kDegree};
+    if (*next != ',') break;
+    at = next + 1;
+  }
+  throw CLI::ValidationError("--laser-offset",
+                             fmt::format("'{}' is not x, x,y or x,y,degrees (metres)", text));
+}
+
+}  // namespace
+
+void add_reading_options(CLI::App& verb, aisle::RecordingOptions& reading) {
+  verb.add_option("--scan", reading.scan_topic, "topic of the scans in a bag (default: chosen, and said)");
+  verb.add_option(
+      "--odometry", reading.odometry,
+      "topic of the odometry in a bag, or tf; none: by the scans alone (default: chosen, and said)");
+  add_choice<LengthUnit>(
+      verb, "--units", reading.unit,
+      {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}, {"mm", LengthUnit::kMillimetre}},
+      "unit of lengths in a laser log (default m)");
+  verb.add_option_function<std::string>(
+      "--laser-offset", [&reading](const std::string& text) { reading.T_vehicle_laser = parse_offset(text); },
+      "pose of the laser on the vehicle: x, x,y or x,y,degrees (default: from the recording, else 0)");
+}
+
+void add_storage(CLI::App& verb, SessionStorage& storage) {
+  add_choice<SessionStorage>(verb, "--storage", storage,
+                             {{"sqlite", SessionStorage::kSqlite}, {"mcap", SessionStorage::kMcap}},
+                             "file of the new session (default sqlite)");
+}
 
 void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning) {
   const auto read = [&seed](const std::string& text) {

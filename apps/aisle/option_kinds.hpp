@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "aisle/formats/logs/laser_recording.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/missions/exploration/exploring_sensor.hpp"
 
@@ -41,6 +43,12 @@ void add_exploring_sensor(CLI::App& verb, aisle::ExploringSensor& sensor, const 
 
 /// --resolution: metres per pixel of a plan.
 void add_resolution(CLI::App& verb, double& pixel_m);
+
+/// --scan, --odometry, --units, --laser-offset: how a recording of scans is read.
+void add_reading_options(CLI::App& verb, aisle::RecordingOptions& reading);
+
+/// --storage: what the file of a new session is.
+void add_storage(CLI::App& verb, aisle::SessionStorage& storage);
 
 /// --seed: a non-negative whole number.
 void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning);

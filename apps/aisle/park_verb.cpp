@@ -35,6 +35,7 @@ void add_park_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->seed, "random seed; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->out, "output directory for the session");
   verb->add_flag("--force", options->force, "overwrite an existing session");
+  add_storage(*verb, options->storage);
   add_robot(*verb, options->connection, {"--world", "--vehicle", "--faults", "--start", "--seed"});
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, park_parameters, work, [=, &work] {

@@ -4,6 +4,7 @@
 #include "aisle/commands/sessions/session_info.hpp"
 #include "aisle/commands/sessions/session_replay.hpp"
 #include "live_options.hpp"
+#include "option_kinds.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -38,6 +39,7 @@ void add_cut_verb(CLI::App& app, Work& work) {
       ->check(CLI::Range(0.0, kLongest_s));
   verb->add_option("-o,--out", options->out, "directory of the new session")->required();
   verb->add_flag("--force", options->force, "overwrite an existing session");
+  add_storage(*verb, options->storage);
   verb->callback([options, &work] {
     work = [options](Console& console) { return run_session_cut(*options, console); };
   });

@@ -1,6 +1,8 @@
 #include <charconv>
 #include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "aisle/trials/trial.hpp"
 #include "option_kinds.hpp"
@@ -24,6 +26,18 @@ bool read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& la
          read(std::string_view(text).substr(dots + 2), last) && first <= last && last - first < kSeedsMax;
 }
 
+/// What was given to the verb, but for these options.
+std::vector<std::string> words_of(const CLI::App& verb, const std::set<const CLI::Option*>& without) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : verb.get_options()) {
+    if (option->count() == 0 || without.contains(option)) continue;
+    if (!option->get_positional()) words.push_back(option->get_name());
+    if (option->get_expected_min() == 0 && !option->get_positional()) continue;
+    for (const std::string& word : option->results()) words.push_back(word);
+  }
+  return words;
+}
+
 }  // namespace
 
 void add_trial_verb(CLI::App& app, Work& work) {
@@ -33,8 +47,8 @@ void add_trial_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
   verb->add_option("METHOD", options->method,
-                   "what to try: landmarks, sections, explore, route, turnings or park");
-  verb->add_option_function<std::string>(
+                   "what to try: landmarks, sections, explore, localise, route, turnings or park");
+  const CLI::Option* seeds = verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {
         if (!read_seeds(text, options->first_seed, options->last_seed))
@@ -75,10 +89,23 @@ void add_trial_verb(CLI::App& app, Work& work) {
       ->check(CLI::Range(0.5, 100.0));
   verb->add_flag("--reverse", options->in_reverse,
                  "drive the routes in the opposite direction; park: back into the frame");
+  verb->add_flag(
+      "--outdated-map", options->outdated_map,
+      "localise: in a map of 5 cm cells, made before 5 % of the walls were built and the furniture "
+      "was moved");
   verb->add_flag("--close", options->close,
                  "turnings: pairs that are too close for the vehicle, so that it backs up between them");
+  const CLI::Option* jobs = verb->add_option(
+      "--jobs", options->jobs, "missions that run at a time (default: as many as there are cores)");
+  verb->get_option("--jobs")->check(CLI::Range(1, 1024));
+  const CLI::Option* out =
+      verb->add_option("--out", options->out,
+                       "directory that keeps each mission as it ends; the same command goes on from there");
+  const CLI::Option* force =
+      verb->add_flag("--force", options->force, "replace the missions that --out holds");
   add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {
     if (options->method.empty()) throw CLI::RequiredError("METHOD");
+    options->words = words_of(*verb, {seeds, jobs, out, force});
     work = [options](Console& console) { return run_trial(*options, console); };
   });
 }

@@ -10,8 +10,10 @@
 /// The work that the command line asks for; the verb's parser sets it.
 using Work = std::function<aisle::Result<aisle::Outcome>(aisle::Console&)>;
 
+void add_compare_verb(CLI::App& app, Work& work);
 void add_connect_verb(CLI::App& app, Work& work);
 void add_convert_verb(CLI::App& app, Work& work);
+void add_localise_verb(CLI::App& app, Work& work);
 void add_map_verb(CLI::App& app, Work& work);
 void add_sim_verb(CLI::App& app, Work& work);
 void add_maze_verb(CLI::App& app, Work& work);

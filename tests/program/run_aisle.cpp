@@ -36,13 +36,17 @@ std::string drain(int sink) {
   return text;
 }
 
-pid_t start(const Arguments& arguments, int out, int err) {
+pid_t start(const Arguments& arguments, int in, int out, int err) {
   std::vector<char*> argv = {const_cast<char*>(AISLE_PROGRAM)};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   posix_spawn_file_actions_t files{};
   posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (in >= 0) {
+    posix_spawn_file_actions_adddup2(&files, in, STDIN_FILENO);
+  } else {
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  }
   posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
   pid_t process = 0;
@@ -54,9 +58,9 @@ pid_t start(const Arguments& arguments, int out, int err) {
 
 }  // namespace
 
-RunningAisle::RunningAisle(const Arguments& arguments)
+RunningAisle::RunningAisle(const Arguments& arguments, int in)
     : out_(make_sink("stdout")), err_(make_sink("stderr")) {
-  process_ = start(arguments, out_, err_);
+  process_ = start(arguments, in, out_, err_);
 }
 
 RunningAisle::~RunningAisle() {

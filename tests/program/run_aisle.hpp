@@ -25,7 +25,8 @@ struct ProgramRun {
 /// The program while it runs. The destructor waits for its end.
 class RunningAisle {
  public:
-  explicit RunningAisle(const Arguments& arguments);
+  /// @param in  becomes its standard input; below 0: it has none
+  explicit RunningAisle(const Arguments& arguments, int in = -1);
   RunningAisle(const RunningAisle&) = delete;
   RunningAisle& operator=(const RunningAisle&) = delete;
   ~RunningAisle();

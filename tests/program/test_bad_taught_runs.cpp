@@ -90,7 +90,7 @@ TEST_F(BadTaughtRuns, UnknownMethodsAreRefused) {
   EXPECT_THAT(run_aisle({"learn", at("none"), "--method", "owls", "--out", at("out"), "--json"}),
               IsRefused(what));
   EXPECT_THAT(navigate(at("none"), {"--method", "owls"}), IsRefused(what));
-  EXPECT_THAT(run_aisle({"trial", "owls", "--json"}), IsRefused(what));
+  EXPECT_THAT(run_aisle({"trial", "owls", "--json"}), IsRefused("'owls' is none of landmarks, sections"));
 }
 
 TEST_F(BadTaughtRuns, SeedsThatAreNoneAreRefused) {
@@ -108,6 +108,14 @@ TEST_F(BadTaughtRuns, FilesThatAreMissingAreRefusedByName) {
               IsRefused(at("none.yaml")));
   EXPECT_THAT(run_aisle({"teach", at("none.yaml"), "--out", at("out"), "--json"}),
               IsRefused(at("none.yaml")));
+}
+
+TEST_F(BadTaughtRuns, ARouteThroughARoomIsNotTaughtWithACameraThatLooksUp) {
+  const std::string vehicle = file(
+      "up.yaml", with(read_bytes(AISLE_SOURCE_DIR "/vehicles/alv.yaml"), "tilt_deg: 38", "tilt_deg: -30"));
+  EXPECT_THAT(run_aisle({"teach", "laboratory", "--method", "route", "--route", "instruments", "--vehicle",
+                         vehicle, "--operator", "scripted", "--out", at("out"), "--json"}),
+              IsRefused(vehicle + ": cameras.top: does not see the floor"));
 }
 
 TEST_F(BadTaughtRuns, SessionsFromWhichNothingCanBeLearnedAreRefused) {

@@ -104,7 +104,7 @@ void write_bag(const fs::path& directory, const std::vector<std::string>& camera
 
 TEST_F(Import, ABagWithACameraBecomesASession) {
   write_bag(at("bag"), {"/front"});
-  EXPECT_THAT(run_aisle({"info", at("bag")}).out, HasSubstr("`aisle import` makes a session of its images"));
+  EXPECT_THAT(run_aisle({"info", at("bag")}).out, HasSubstr("`aisle import` makes a session of it"));
   const ProgramRun run = run_aisle({"import", at("bag"), "--out", at("drive"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto figures = run.json()["figures"];
@@ -131,6 +131,53 @@ TEST_F(Import, OfABagWithSeveralCamerasTheUserNamesOne) {
   EXPECT_THAT(run_aisle({"import", at("bag"), "--camera", "/front/image_raw/compressed", "--vehicle", "alv",
                          "--out", at("other"), "--json"}),
               IsRefused("which took the images of /front/image_raw/compressed is not said by its name"));
+}
+
+/// A CARMEN log of a vehicle that drives past a wall.
+std::string carmen_log() {
+  std::string text;
+  for (int i = 0; i < 20; ++i) {
+    const std::string x_m = std::to_string(0.1 * i), time_s = std::to_string(0.2 * i);
+    text += "FLASER 181";
+    for (int beam = 0; beam < 181; ++beam) text += " " + std::to_string(2 + 0.01 * beam);
+    text += " " + x_m + " 0 0 " + x_m + " 0 0 " + time_s + " robot " + time_s + "\n";
+  }
+  return text;
+}
+
+TEST_F(Import, ALaserLogBecomesASession) {
+  const std::string log = file("run.log", carmen_log());
+  const ProgramRun run = run_aisle({"import", log, "--out", at("drive"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["scans"], 20);
+  EXPECT_EQ(figures["images"], 0);
+  EXPECT_EQ(figures["odometry"], true);
+  EXPECT_FALSE(figures.contains("camera"));
+  const ProgramRun cut = run_aisle({"cut", at("drive"), "--to", "1", "--out", at("part"), "--json"});
+  ASSERT_EQ(cut.exit_code, 0) << cut.err;
+  EXPECT_THAT(run_aisle({"info", at("part")}).out, HasSubstr("/scan"));
+  EXPECT_THAT(run_aisle({"replay", at("drive"), "--navigator", "hand", "--json"}),
+              IsRefused("nothing of its scanner's place"));
+  ASSERT_EQ(run_aisle({"import", log, "--laser-offset", "0.1", "--out", at("placed")}).exit_code, 0);
+  EXPECT_EQ(run_aisle({"replay", at("placed"), "--navigator", "hand"}).exit_code, 0);
+  EXPECT_THAT(run_aisle({"learn", at("placed"), "--json"}), IsRefused("without a camera"));
+  EXPECT_THAT(run_aisle({"import", log, "--rate", "5", "--out", at("other"), "--json"}), IsRefused("--rate"));
+  EXPECT_THAT(run_aisle({"import", log, "--vehicle", "mini", "--out", at("other"), "--json"}),
+              IsRefused("scanner: is missing"));
+  EXPECT_EQ(run_aisle({"import", log, "--vehicle", "alv-scanner", "--out", at("other")}).exit_code, 0);
+}
+
+TEST_F(Import, IsNamedByVerbsThatAreGivenARecording) {
+  const std::string log = file("run.log", carmen_log());
+  write_bag(at("bag"), {"/front"});
+  for (const std::string& recording : {log, at("bag"), at("bag/bag_0.db3")}) {
+    EXPECT_THAT(run_aisle({"learn", recording, "--json"}), IsRefused("`aisle import`"));
+    EXPECT_THAT(run_aisle({"replay", recording, "--json"}), IsRefused("`aisle import`"));
+    if (recording != at("bag")) {
+      EXPECT_THAT(run_aisle({"cut", recording, "--out", at("part"), "--json"}), IsRefused("`aisle import`"));
+    }
+  }
 }
 
 TEST_F(Import, WhatASessionLacksIsSaidByTheVerbsThatNeedIt) {

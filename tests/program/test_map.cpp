@@ -149,5 +149,19 @@ TEST_F(Map, ALogWithOneScanIsMapped) {
   EXPECT_THAT(names_in(at("out")), Not(IsEmpty()));
 }
 
+TEST_F(Map, CompareSaysHowFarATrajectoryIsOff) {
+  ASSERT_EQ(run_aisle({"map", log(), "--out", at("out")}).exit_code, 0);
+  const std::string path = at("out/trajectory.tum");
+  const ProgramRun same = run_aisle({"compare", path, path, "--out", at("compared"), "--json"});
+  ASSERT_EQ(same.exit_code, 0) << same.err;
+  const auto figures = same.json()["figures"];
+  EXPECT_LT(figures["position_m"]["max"].get<double>(), 1e-6);
+  EXPECT_EQ(figures["without_truth"], 0);
+  EXPECT_THAT(names_in(at("compared")), ElementsAre("compared.png", "compared.svg"));
+  EXPECT_THAT(run_aisle({"compare", path, at("none"), "--json"}), IsRefused("none: no such file"));
+  EXPECT_THAT(run_aisle({"compare", path, file("far.tum", "1 0 0 0 0 0 0 1\n"), "--json"}),
+              IsRefused("have a true pose within 0.25 s"));
+}
+
 }  // namespace
 }  // namespace aisle

@@ -43,6 +43,14 @@ TEST_F(OutputDirectory, OtherFilesInItDoNotMatter) {
   EXPECT_EQ(run_aisle({"map", log(), "--out", at("out")}).exit_code, 0);
 }
 
+TEST_F(OutputDirectory, WhatAKilledRunLeftIsRemovedByTheNext) {
+  fs::create_directories(at("out/.unfinished"));
+  write_bytes(at("out/.unfinished/map.svg"), "half a map");
+  write_bytes(at("out/notes.txt"), "notes of mine");
+  EXPECT_EQ(run_aisle({"learn", at("no-session"), "--out", at("out")}).exit_code, 2);
+  EXPECT_THAT(names_in(at("out")), ElementsAre("notes.txt"));
+}
+
 TEST_F(OutputDirectory, IsRemovedAgainIfThereAreNoResults) {
   fs::create_directory(at("mine"));
   for (const std::string out : {"mine/made/out", "mine/made/out/"}) {

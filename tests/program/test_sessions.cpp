@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <sqlite3.h>
 
 #include <cmath>
 #include <string_view>
@@ -42,6 +43,21 @@ void copy_with_another_decision(const std::string& session, const std::string& c
 
 class Session : public WorkplaceWithSession {
  protected:
+  /// A database in which a view takes the place of the messages.
+  std::string endless_view() const {
+    sqlite3* database = nullptr;
+    sqlite3_open(at("view.db3").c_str(), &database);
+    sqlite3_exec(
+        database,
+        "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT, "
+        "offered_qos_profiles TEXT);"
+        "CREATE VIEW messages(id, topic_id, timestamp, data) AS WITH RECURSIVE n(i) AS (SELECT 1 UNION "
+        "ALL SELECT i + 1 FROM n) SELECT i, 1, i, x'00' FROM n",
+        nullptr, nullptr, nullptr);
+    sqlite3_close(database);
+    return at("view.db3");
+  }
+
   /// All verbs that read a session.
   std::vector<Arguments> readers_of(const std::string& session) const {
     return {{"info", session, "--json"},
@@ -106,6 +122,21 @@ TEST_F(Session, ACutIsASessionOfThatPart) {
   EXPECT_EQ(replay["different"], 0);
 }
 
+TEST_F(Session, McapHoldsTheSame) {
+  const ProgramRun driven = run_aisle(drive("other", {"--no-pictures", "--storage", "mcap"}));
+  ASSERT_EQ(driven.exit_code, 0) << driven.err;
+  EXPECT_THAT(names_in(at("other")), testing::ElementsAre("metadata.yaml", "other_0.mcap"));
+  EXPECT_EQ(run_aisle({"replay", at("other"), "--json"}).exit_code, 0);
+  const auto figures = [](const std::string& session) {
+    auto json = run_aisle({"info", session, "--json"}).json()["figures"];
+    json.erase("file_bytes");
+    return json;
+  };
+  EXPECT_EQ(figures(at("other")), figures(session()));
+  ASSERT_EQ(run_aisle({"cut", at("other"), "--out", at("back/drive")}).exit_code, 0);
+  EXPECT_TRUE(read_bytes(at("back/drive/drive_0.db3")) == read_bytes(database()));
+}
+
 TEST_F(Session, CutRefusesPartsThatAreNone) {
   const auto cut = [&](const Arguments& part) {
     Arguments arguments = {"cut", session(), "--out", at("cut"), "--json"};
@@ -153,6 +184,30 @@ TEST_F(Session, DamagedMetadataIsRefusedWithItsLine) {
       EXPECT_THAT(run_aisle(arguments), IsRefused("metadata.yaml")) << arguments[0] << text;
     }
   }
+}
+
+TEST_F(Session, ReadersChangeNothingInItsFolder) {
+  write_bytes(at("drive/drive_0.db3-wal"), "");  // as of a recording that was killed
+  write_bytes(at("drive/drive_0.db3-journal"), "left behind by somebody");
+  const FolderState before = state_of_folder(session());
+  std::vector<Arguments> readers = readers_of(session());
+  readers.push_back({"map", session(), "--json"});
+  readers.push_back({"import", session(), "--out", at("imported"), "--json"});
+  readers.push_back({"learn", session(), "--out", at("learned"), "--json"});
+  for (const Arguments& arguments : readers) {
+    const ProgramRun run = run_aisle(arguments);
+    EXPECT_LE(run.exit_code, 2) << arguments[0] << run.err;
+    EXPECT_TRUE(state_of_folder(session()) == before) << arguments[0];
+  }
+}
+
+TEST_F(Session, ADatabaseWithAnEndlessViewIsRefusedByEveryVerb) {
+  write_bytes(database(), read_bytes(endless_view()));
+  std::vector<Arguments> readers = readers_of(session());
+  readers.push_back({"map", session(), "--json"});
+  readers.push_back({"import", session(), "--out", at("imported"), "--json"});
+  for (const Arguments& arguments : readers)
+    EXPECT_THAT(run_aisle(arguments), IsRefused("it needs the tables topics and messages")) << arguments[0];
 }
 
 }  // namespace

@@ -43,6 +43,18 @@ TEST_F(Usage, MistakesAreRefusedInOneLine) {
   EXPECT_THAT(run_aisle({"sim", "log", "world.yaml", "--json"}), IsRefused("--out is required"));
 }
 
+TEST_F(Usage, MisspeltWordsGetASuggestion) {
+  EXPECT_THAT(run_aisle({"exlore", "--json"}), IsRefused("'exlore'; did you mean explore?"));
+  EXPECT_THAT(run_aisle({"map", "a.log", "--relation", "r", "--json"}), IsRefused("did you mean --relations?"));
+  EXPECT_THAT(run_aisle({"sim", "lgo", "--json"}), IsRefused("did you mean log?"));
+  EXPECT_THAT(run_aisle({"trial", "foo", "--json"}), IsRefused("METHOD: 'foo' is none of landmarks, sections"));
+}
+
+TEST_F(Usage, HelpIsAlsoAWord) {
+  EXPECT_EQ(run_aisle({"help"}).out, run_aisle({"--help"}).out);
+  EXPECT_EQ(run_aisle({"help", "map"}).out, run_aisle({"map", "--help"}).out);
+}
+
 TEST_F(Usage, AWordThatIsNoChoiceIsRefusedWithTheChoices) {
   EXPECT_THAT(run_aisle({"map", "simulated-trip.log", "--units", "furlong", "--json"}),
               IsRefused("--units: 'furlong' is none of m, cm"));

@@ -38,6 +38,13 @@ std::vector<std::string> names_in(const fs::path& directory) {
   return names;
 }
 
+FolderState state_of_folder(const fs::path& directory) {
+  FolderState state;
+  for (const auto& entry : fs::directory_iterator(directory))
+    state[entry.path().filename().string()] = {read_bytes(entry.path()), entry.last_write_time()};
+  return state;
+}
+
 std::string Workplace::file(const std::string& name, std::string_view bytes) const {
   write_bytes(at(name), bytes);
   return at(name);

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "run_aisle.hpp"
@@ -27,6 +29,10 @@ class TemporaryDirectory {
 
 std::string read_bytes(const std::filesystem::path& path);
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
+
+/// Every file of a directory: its bytes, and when it was last written.
+using FolderState = std::map<std::string, std::pair<std::string, std::filesystem::file_time_type>>;
+FolderState state_of_folder(const std::filesystem::path& directory);
 
 /// The names in a directory, sorted; none if there is no such directory.
 std::vector<std::string> names_in(const std::filesystem::path& directory);
@@ -70,7 +76,8 @@ MATCHER_P(IsRefused, what, std::string("is refused with one line that says '") +
   if (arg.exit_code != 2 || arg.err.find(what) == std::string::npos) return false;
   if (arg.err.find('\n') != arg.err.size() - 1) return false;
   const nlohmann::json result = nlohmann::json::parse(arg.out, nullptr, false);
-  return result.is_object() && result["ok"] == false && result["files"].empty() && result["figures"].empty();
+  return result.is_object() && result["ok"] == false && result["files"].empty() &&
+         result["figures"].empty() && !result["problems"].empty();
 }
 
 }  // namespace aisle

@@ -12,17 +12,15 @@
 
 namespace robots {
 
-RunningRobot::RunningRobot(const std::vector<std::string>& arguments)
-    : RunningRobot(MUJOCO_ROBOT, arguments) {}
-
 RunningRobot RunningRobot::person(const std::string& world, unsigned domain, bool by_joystick) {
   std::vector<std::string> arguments = {world, std::to_string(domain)};
   if (by_joystick) arguments.emplace_back("--joy");
-  return {ROBOT_PERSON, arguments};
+  return RunningRobot(arguments, ROBOT_PERSON);
 }
 
-RunningRobot::RunningRobot(const char* program, const std::vector<std::string>& arguments) {
-  std::vector<char*> argv = {const_cast<char*>(program)};
+RunningRobot::RunningRobot(const std::vector<std::string>& arguments, std::string program) {
+  if (program.empty()) program = MUJOCO_ROBOT;
+  std::vector<char*> argv = {program.data()};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   int ends[2];
@@ -32,7 +30,7 @@ RunningRobot::RunningRobot(const char* program, const std::vector<std::string>& 
   if (process_ == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(ends[1], STDOUT_FILENO);
-    execv(program, argv.data());
+    execv(program.c_str(), argv.data());
     _exit(127);
   }
   close(ends[1]);
@@ -58,8 +56,12 @@ nlohmann::json RunningRobot::wait_until_ready() const {
   return nlohmann::json::parse(line).at("vehicle");
 }
 
+void RunningRobot::signal(int number) const {
+  kill(process_, number);
+}
+
 int RunningRobot::stop() {
-  kill(process_, SIGTERM);
+  signal(SIGTERM);
   return wait();
 }
 
@@ -69,9 +71,9 @@ int RunningRobot::wait() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-unsigned domain_of_this_process() {
+unsigned domain_of_this_process(unsigned offset) {
   constexpr unsigned kFirst = 20, kCount = 80;
-  return kFirst + static_cast<unsigned>(getpid()) % kCount;
+  return kFirst + (static_cast<unsigned>(getpid()) + offset) % kCount;
 }
 
 }  // namespace robots

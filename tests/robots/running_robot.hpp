@@ -12,8 +12,8 @@ namespace robots {
 /// process.
 class RunningRobot {
  public:
-  /// Starts mujoco_robot.
-  explicit RunningRobot(const std::vector<std::string>& arguments);
+  /// @param program  its path; empty: mujoco_robot
+  explicit RunningRobot(const std::vector<std::string>& arguments, std::string program = {});
   /// Starts robot_person: somebody who drives a robot along a world's tour, with /cmd_vel or a joystick.
   static RunningRobot person(const std::string& world, unsigned domain, bool by_joystick);
   ~RunningRobot();
@@ -23,19 +23,19 @@ class RunningRobot {
   /// @return the vehicle's measures, as the robot prints them. Throws std::runtime_error if it ends instead,
   /// or is not ready after a minute.
   nlohmann::json wait_until_ready() const;
+  void signal(int number) const;
   /// Asks it to end. @return as wait()
   int stop();
   /// @return its exit code; negative: it was killed
   int wait();
 
  private:
-  RunningRobot(const char* program, const std::vector<std::string>& arguments);
-
   pid_t process_;
   int output_;
 };
 
 /// A domain that no other test is likely to be in at the same time.
-unsigned domain_of_this_process();
+/// @param offset  0 to 79, for tests that need several
+unsigned domain_of_this_process(unsigned offset = 0);
 
 }  // namespace robots

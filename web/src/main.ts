@@ -1,22 +1,33 @@
 import { building_tab } from "./building/building_tab";
 import { drive_tab } from "./drive/drive_tab";
 import { maze_tab } from "./maze/maze_tab";
+import { socket_address, take_token_from_address } from "./page/access";
 import { make_app } from "./page/app";
 import { element } from "./page/element";
 import { header } from "./page/header";
 import { Notices } from "./page/notices";
+import { announce_results } from "./page/results";
+import { emergency_stop, held_bar } from "./page/stop";
 import { follow_theme } from "./page/theme";
 import { token_form } from "./page/token_form";
+import { SessionStore } from "./sessions/session_store";
 import { sessions_tab } from "./sessions/sessions_tab";
 import "./style.css";
 
 follow_theme();
+take_token_from_address();
 const notices = new Notices();
-const app = make_app(new URL(location.href), notices);
-const tabs = [drive_tab(app), maze_tab(app), sessions_tab(app), building_tab(app)];
+const app = make_app(socket_address(), notices);
+const sessions = new SessionStore(app);
+const tabs = [drive_tab(app, sessions), maze_tab(app), sessions_tab(app, sessions), building_tab(app)];
 
 const main = element("main", { id: "main" }, ...tabs.map((tab) => tab.element));
-document.body.append(header(app, tabs), token_form(app.connection), main, notices.element);
+document.body.append(
+  header(app, tabs),
+  element("div", { class: "stopper" }, emergency_stop(app)),
+  element("div", { class: "top" }, held_bar(app), notices.area, token_form(app.connection)),
+  main,
+);
 
 function enter(): void {
   const wanted = location.hash.slice(1);
@@ -30,7 +41,8 @@ app.tab.watch((shown) => {
   }
 });
 addEventListener("hashchange", enter);
-app.connection.trouble.watch((text) => {
-  if (text !== "") notices.show(text, "trouble");
+app.connection.trouble.watch((problem) => {
+  if (problem !== "") notices.show(problem, "trouble");
 });
+announce_results(app);
 enter();

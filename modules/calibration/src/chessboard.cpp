@@ -12,6 +12,8 @@ namespace {
 
 using Corners = std::vector<cv::Point2f>;
 
+constexpr double kSearchedSide_px = 2048;
+
 /// Row by row over the corners of one board.
 class CornerGrid {
  public:
@@ -63,10 +65,23 @@ class CornerGrid {
 };
 
 /// The thresholding search finds nearly all boards, the search by Radon transform some of the rest: blurred
-/// and steeply seen ones.
-bool find_roughly(const cv::Mat& grey, const cv::Size& size, Corners& corners) {
+/// and steeply seen ones. OpenCV throws where an image is too small for what it tries.
+bool is_found(const cv::Mat& grey, const cv::Size& size, Corners& corners) try {
   return cv::findChessboardCorners(grey, size, corners) ||
          cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_ACCURACY);
+} catch (const cv::Exception&) {
+  return false;
+}
+
+/// In a smaller copy of large images, because the searches take 80 bytes and more for every pixel.
+bool find_roughly(const cv::Mat& grey, const cv::Size& size, Corners& corners) {
+  const double scale = std::max(1.0, static_cast<double>(std::max(grey.cols, grey.rows)) / kSearchedSide_px);
+  cv::Mat searched = grey;
+  if (scale > 1) cv::resize(grey, searched, {}, 1 / scale, 1 / scale, cv::INTER_AREA);
+  if (!is_found(searched, size, corners)) return false;
+  const float to_full = static_cast<float>(scale), off = static_cast<float>((scale - 1) / 2);
+  for (cv::Point2f& corner : corners) corner = corner * to_full + cv::Point2f(off, off);
+  return true;
 }
 
 /// Each corner to where the gradients around it point; the window must not reach the next corner.

@@ -57,12 +57,19 @@ Result<std::unique_ptr<ConnectedRobot>> connect_robot(Connection connection, Con
   auto robot = std::make_unique<ConnectedRobot>();
   robot->connection = std::move(connection);
   robot->wire = std::move(*wire);
-  auto connected = ConnectedVehicle::connect(robot->connection, *vehicle,
-                                             {*robot->wire, robot->clock, console.progress, console.warn});
+  robot->diagnostics = std::make_unique<RobotDiagnostics>(*robot->wire, robot->clock, console.progress);
+  RobotDiagnostics& diagnostics = *robot->diagnostics;
+  const auto note = [&diagnostics, warn = console.warn](const std::string& what) {
+    diagnostics.note(what);
+    warn(what);
+  };
+  auto connected =
+      ConnectedVehicle::connect(robot->connection, *vehicle, {*robot->wire, robot->clock, diagnostics, note});
   if (!connected) return connected.problems();
   robot->vehicle = std::move(*connected);
-  robot->viewer =
-      std::make_unique<RobotViewer>(*robot->wire, robot->connection, *robot->vehicle, console.watcher);
+  diagnostics.watch(*robot->vehicle);
+  robot->viewer = std::make_unique<RobotViewer>(*robot->wire, robot->connection, *robot->vehicle,
+                                                console.watcher, console.warn);
   return robot;
 }
 

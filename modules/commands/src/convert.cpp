@@ -13,8 +13,6 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kWallsMax = 200'000;  ///< the most that a world file may have
-
 double to_decimetre(double length_m) {
   return std::round(length_m * 10) / 10;
 }
@@ -34,12 +32,6 @@ Result<Outcome> run_convert(const ConvertOptions& options, Console& console) {
   }
   Result<World> bare = options.seed ? random_world(options) : world_of_plan(options, console);
   if (!bare) return bare.problems();
-  if (bare->walls.size() > kWallsMax) {
-    return Problem{
-        {bare->name},
-        fmt::format("makes {} walls; a world has at most {} (a larger --tolerance or --speck makes fewer)",
-                    bare->walls.size(), kWallsMax)};
-  }
   auto [world, drivable_m2] = with_tour(std::move(*bare), options.run, console);
   if (options.dress && !options.seed) dress(world, Random(1));
   if (Problems problems = write_whole_file(options.out, world_yaml(world)); !problems.empty())

@@ -84,6 +84,10 @@ Problems prepare_robot(const DriveOptions& options, Drive& drive, Console& conso
   auto robot = connect_robot(std::move(*connection), console);
   if (!robot) return robot.problems();
   drive.driven = DrivenVehicle::over(std::move(*robot));
+  if (options.unfit) {
+    if (Problems problems = options.unfit(drive.driven->description()); !problems.empty())
+      return at_file(std::move(problems), options.vehicle_file());
+  }
   if (!options.keys) return {};
   auto person = options.keys(drive.driven->description(), drive.params.keys);
   if (!person) return person.problems();
@@ -150,8 +154,8 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
   DrivenVehicle& driven = *drive->driven;
   const bool is_robot = driven.setting() == nullptr;
   OperatedVehicle vehicle(driven.vehicle(), is_robot ? drive->person.get() : nullptr);
-  auto session = open_session(options.out, options.force, vehicle, driven.truth(), origin_of(options, *drive),
-                              driven.watcher(console));
+  auto session = open_session(options.out, options.force, options.storage, vehicle, driven.truth(),
+                              origin_of(options, *drive), driven.watcher(console));
   if (!session) return session.problems();
   HandDriver driver(drive->params.limits);
   MissionRecorder record(*session, vehicle, driven.truth());

@@ -8,6 +8,7 @@
 #include "aisle/commands/driven_vehicle.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/set_down.hpp"
+#include "aisle/connection/robot_goals.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/missions/exploration/guide_mission.hpp"
@@ -30,24 +31,28 @@ Result<SessionOrigin> read_origin(const GuideOptions& options, const std::string
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   auto building = read_whole_file(options.building);
   if (!building) return building.problems();
-  return GuideDriver::origin(params, std::move(*building), goal);
+  const MissionStart elsewhere{.is_unknown = options.T_world_start.has_value(), .T_map_hint = {}};
+  return GuideDriver::origin(params, std::move(*building), goal, options.told.value_or(elsewhere));
 }
 
-/// Sets a simulated vehicle down at home; a robot stands there.
+/// Sets a simulated vehicle down at home, or where the options say; a robot stands where it stands.
 Problems set_down_at_start(const GuideOptions& options, DrivenVehicle& driven) {
   SimulationSetting* const setting = driven.setting();
   if (setting == nullptr) return {};
   const auto start = start_in(*setting);
   if (!start) return start.problems();
-  driven.set_down(set_down_at_home(*setting, *start, options.seed));
+  if (options.T_world_start &&
+      !fits(setting->world, setting->vehicle.description.footprint, *options.T_world_start))
+    return {{{"--start"}, "the vehicle does not fit there"}};
+  driven.set_down(options.T_world_start.value_or(set_down_at_home(*setting, *start, options.seed)));
   return {};
 }
 
 Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, const SessionOrigin& origin,
                               GuideDriver& driver, DrivenVehicle& driven, Console& console) {
   Vehicle& vehicle = driven.vehicle();
-  auto session =
-      open_session(options.out, options.force, vehicle, driven.truth(), origin, driven.watcher(console));
+  auto session = open_session(options.out, options.force, options.storage, vehicle, driven.truth(), origin,
+                              driven.watcher(console));
   if (!session) return session.problems();
   const auto result = drive_guide_mission(vehicle, driven.truth(), driver, *session, console.progress);
   if (!result) return result.problems();
@@ -78,6 +83,46 @@ Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, con
                              result->is_simulated() ? "simulated: " : "", result->end.state,
                              result->end.why.empty() ? "" : ": ", result->end.why, result->distance_m(),
                              result->end.duration_s, sent.shortest_m, collisions_text(*result));
+  return outcome;
+}
+
+/// Drives to the goals that people point at in the robot's viewer, until the robot ends it or the user does.
+Result<Outcome> follow_goals_of_robot(const GuideOptions& options, Console& console) {
+  if (!options.out.empty())
+    return Problem{{"--out"}, "needs PLACE: goals from a robot's viewer cannot be replayed"};
+  GuideNavigatorParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  auto building = read_whole_file(options.building);
+  if (!building) return building.problems();
+  const auto robot = connect_robot(options.connection, DrivenBy::kScanner, console);
+  if (!robot) return robot.problems();
+  ConnectedVehicle& vehicle = *(*robot)->vehicle;
+  const auto goals = RobotGoals::open(*(*robot)->wire, (*robot)->connection, console.warn);
+  if (!goals) return goals.problems();
+  RobotGoals& asked = **goals;
+  const auto goal = [&asked]() -> std::optional<Vec2> {
+    const auto T_map = asked.take_goal();
+    return T_map ? std::optional(T_map->position()) : std::nullopt;
+  };
+  auto follower = GoalFollower::make(params, std::move(*building), vehicle.description(),
+                                     {goal, [&asked] { return asked.take_initial_pose(); }, console.warn});
+  if (!follower) return in_file(follower.problems(), options.building.string());
+  auto shown = open_session({}, false, vehicle, nullptr, {}, (*robot)->viewer.get());
+  if (!shown) return shown.problems();
+  console.warn("waits for goals on " + (*robot)->connection.topic("goal_pose"));
+  const auto result = follow_goals(vehicle, **follower, *shown, console.progress);
+  if (!result) return result.problems();
+  Outcome outcome{.verb = "go", .ok = false};
+  outcome.figures = {{"simulated", false},
+                     {"goals", (*follower)->goals()},
+                     {"goals_reached", (*follower)->goals_reached()},
+                     {"why", result->end.why},
+                     {"distance_m", rounded(result->distance_m(), 3)},
+                     {"duration_s", rounded(result->end.duration_s, 1)},
+                     {"connection", counts_json(vehicle.counts())}};
+  outcome.text = fmt::format("{}; {} of {} goals reached, {:.1f} m\n", result->end.why,
+                             (*follower)->goals_reached(), (*follower)->goals(), result->distance_m());
   return outcome;
 }
 
@@ -112,6 +157,7 @@ Outcome guide_parameters() {
 }
 
 Result<Outcome> run_go(const GuideOptions& options, Console& console) {
+  if (options.place.empty()) return follow_goals_of_robot(options, console);
   return run_goal("go", options, "go " + options.place, console);
 }
 

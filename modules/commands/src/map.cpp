@@ -11,16 +11,15 @@
 #include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/images/map_server.hpp"
-#include "aisle/formats/logs/read_laser_recording.hpp"
 #include "aisle/formats/logs/relations.hpp"
 #include "aisle/formats/logs/trajectory.hpp"
-#include "aisle/learning/walls/log_correction.hpp"
 #include "aisle/learning/walls/map_building.hpp"
 #include "aisle/learning/walls/map_judgement.hpp"
 #include "aisle/learning/walls/published_mapping.hpp"
 #include "aisle/learning/walls/relation_error.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "aisle/report/occupancy.hpp"
+#include "settled_log.hpp"
 
 namespace aisle {
 namespace {
@@ -112,33 +111,6 @@ void add_trust(const MapJudgement& judgement, Outcome& outcome) {
   outcome.figures["scan_fit_share"] = rounded(judgement.fit_share, 4);
   outcome.figures["scan_pass_share"] = rounded(judgement.pass_share, 4);
   outcome.text += fmt::format("trust: {} ({})\n", name_of(trust), reason);
-}
-
-/// A log with the warnings about it, as far as the recording and its scans settle it.
-struct SettledLog {
-  LaserLog log;
-  Problems warnings;
-  KnownOfLog known;
-};
-
-Result<SettledLog> read_and_settle(const MapOptions& options, Console& console) {
-  auto read = read_laser_recording(options.log, options.reading);
-  if (!read) return read.problems();
-  SettledLog settled{
-      std::move(read->log), std::move(read->warnings), {.odometry_delay_s = options.odometry_delay_s}};
-  if (options.rules == MapRules::kPublished) {
-    if (settled.log.odometry.empty())
-      return Problem{{options.log.string()}, "has no odometry; the published rules cannot do without"};
-    return settled;
-  }
-  settled.known.mounting = read->has_mounting || options.reading.T_vehicle_laser.has_value();
-  auto findings = correct_log(settled.log, {!settled.known.mounting, read->other_beams}, console.progress);
-  if (!findings) return at_file(findings.problems(), options.log.string());
-  for (Problem& warning : at_file(findings->warnings, options.log.string()))
-    settled.warnings.push_back(std::move(warning));
-  settled.known.guessed_delay_s = findings->odometry_delay_s;
-  if (findings->odometry_by_scans) settled.known = {.odometry_delay_s = 0.0};
-  return settled;
 }
 
 /// The rows above the refined rules in the table of stages: odometry, the published rules, and these with one
@@ -249,8 +221,12 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
   const Problems more = options.parameters.apply_to(fields);
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) return problems;
-  auto settled = read_and_settle(options, console);
+  auto settled = options.rules == MapRules::kPublished
+                     ? read_unsettled_log(options.log, options.reading)
+                     : read_settled_log(options.log, options.reading, console.progress);
   if (!settled) return settled.problems();
+  if (options.odometry_delay_s && !settled->known.odometry_delay_s)
+    settled->known.odometry_delay_s = options.odometry_delay_s;
   LaserLog& log = settled->log;
   std::vector<PoseRelation> relations;
   if (options.relations) {

@@ -14,8 +14,9 @@ void warn_of(const Problems& warnings, const Console& console) {
 }
 
 std::string to_json(const Outcome& outcome) {
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"verb", outcome.verb}, {"ok", outcome.ok}, {"figures", outcome.figures}, {"files", outcome.files}};
+  if (!outcome.problems.empty()) json["problems"] = warnings_json(outcome.problems);
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

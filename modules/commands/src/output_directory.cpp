@@ -55,6 +55,7 @@ Result<OutputDirectory> OutputDirectory::open(const fs::path& directory, bool fo
   if (!fs::is_directory(directory, error)) return Problem{{directory.string()}, "is not a directory"};
   if (::access(directory.c_str(), W_OK | X_OK) != 0)
     return Problem{{directory.string()}, "cannot be written to"};
+  fs::remove_all(opened.unfinished(), error);  // of a run that was killed while it wrote
   if (const Problems problems = in_the_path(directory, force, names); !problems.empty()) return problems;
   return opened;
 }
@@ -77,17 +78,16 @@ Result<std::optional<OutputDirectory>> OutputDirectory::open_if_named(const fs::
 
 Result<std::map<std::string, std::string>> OutputDirectory::write(
     const std::vector<OutputFile>& files) const {
-  const fs::path unfinished = directory_ / ".unfinished";
-  Problems problems = write_beside(unfinished, files);
+  Problems problems = write_beside(unfinished(), files);
   std::map<std::string, std::string> paths;
   std::error_code error;
   for (auto file = files.begin(); problems.empty() && file != files.end(); ++file) {
     paths[file->role] = path(file->name).string();
-    fs::rename(unfinished / file->name, path(file->name), error);
+    fs::rename(unfinished() / file->name, path(file->name), error);
     if (error)
       problems.push_back({{path(file->name).string()}, "cannot be put in place: " + error.message()});
   }
-  fs::remove_all(unfinished, error);
+  fs::remove_all(unfinished(), error);
   if (!problems.empty()) return problems;
   return paths;
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "aisle/formats/file_contents.hpp"
 #include "aisle/formats/images/map_server.hpp"
 #include "aisle/formats/images/plan_drawing.hpp"
 #include "aisle/formats/images/plan_image.hpp"
@@ -20,7 +21,7 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kBytesMax = std::size_t{512} << 20;
+constexpr std::size_t kBytesMax = std::size_t{128} << 20;
 constexpr int kMazeSizeMax = 512;
 
 /// "x1 y1 x2 y2" and perhaps a word: no line of a maze looks like that.
@@ -71,10 +72,17 @@ Result<World> world_of_floor(Result<PlanReading> read, const PlanOptions& option
   if (options.from != PlanKind::kMapServer) read_symbols(plan, name, console);
   if (const int specks = clean_plan(plan, {.speck_m = options.speck_m}); specks > 0)
     console.warn(fmt::format("{}: {} specks removed, as --speck says", name, specks));
-  World world;
-  for (const Segment2& wall : trace_plan(plan, options.tracing, console.progress)) {
-    world.walls.push_back({.floor_edge = wall});
+  const auto walls = trace_plan(plan, options.tracing, console.progress);
+  if (!walls || walls->size() > kWorldWallsMax) {
+    return Problem{
+        {name},
+        fmt::format("makes more than {} walls, the most of a world; --speck removes what is small, "
+                    "--tolerance straightens, a smaller copy has less detail",
+                    kWorldWallsMax)};
   }
+  World world;
+  world.walls.reserve(walls->size());
+  for (const Segment2& wall : *walls) world.walls.push_back({.floor_edge = wall});
   if (world.walls.empty()) return Problem{{name}, "shows no free floor"};
   return world;
 }
@@ -104,11 +112,23 @@ Result<World> world_of_segments(std::string_view bytes, const std::string& name)
   return world;
 }
 
+Problem no_plan(const std::string& name, const std::string& contents) {
+  const bool is_building = contents.find("building") != std::string::npos;
+  return {{name},
+          fmt::format("is {}; {}plans are images (PNG, JPEG, PGM, PBM, PPM, BMP, TIFF, WebP), drawings (SVG, "
+                      "PDF, DXF), map_server YAML, wall segments and mazes (docs/formats/plan.md)",
+                      contents, is_building ? "`aisle go` drives in one. " : "")};
+}
+
 Result<World> walls_of_plan(PlanOptions options, Console& console) {
   const Result<std::string> bytes = read_whole_file(options.plan, kBytesMax);
   if (!bytes) return bytes.problems();
   const std::string name = options.plan.string();
-  if (options.from == PlanKind::kAny) options.from = plan_kind_of(options.plan, *bytes);
+  if (options.from == PlanKind::kAny) {
+    options.from = plan_kind_of(options.plan, *bytes);
+    const auto contents = known_contents(*bytes);
+    if (options.from == PlanKind::kMaze && contents) return no_plan(name, *contents);
+  }
   switch (options.from) {
     case PlanKind::kSegments:
       return world_of_segments(*bytes, name);
@@ -136,9 +156,12 @@ bool is_yaml(const std::filesystem::path& file) {
 }  // namespace
 
 PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes) {
-  static constexpr std::array<std::string_view, 6> kImages = {"P1", "P2",      "P4",
-                                                              "P5", "\x89PNG", "\xff\xd8\xff"};
-  if (std::any_of(kImages.begin(), kImages.end(), [&](auto magic) { return bytes.starts_with(magic); })) {
+  using namespace std::string_view_literals;
+  static constexpr std::array kImages = {"P1"sv, "P2"sv,      "P3"sv,           "P4"sv,    "P5"sv,   "P6"sv,
+                                         "BM"sv, "\x89PNG"sv, "\xff\xd8\xff"sv, "II*\0"sv, "MM\0*"sv};
+  const bool is_webp = bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP");
+  if (is_webp || std::any_of(kImages.begin(), kImages.end(),
+                             [&](std::string_view magic) { return bytes.starts_with(magic); })) {
     return PlanKind::kImage;
   }
   if (drawing_kind_of(bytes)) return PlanKind::kDrawing;

@@ -30,8 +30,8 @@ Problems RobotIntake::open_camera(Wire& wire, std::size_t which, const VehicleDe
             camera.has_compressed_images() ? ros::CompressedImage::kType : ros::Image::kType};
   ArrivingImages& state = state_.cameras[which];
   Problems problems = subscribe(wire, needed, WireQuality::kSensor,
-                                [this, &state, type = needed.type](std::string_view message) {
-                                  arrive(type, [&] { return take_image(message, state); });
+                                [this, which, type = needed.type](std::string_view message) {
+                                  arrive(type, [&] { return take_image(message, which); });
                                 });
   NeededTopic calibration{connection_.topic(camera.calibration_topic()), ros::CameraInfo::kType};
   for (Problem& problem :
@@ -65,13 +65,14 @@ Problems RobotIntake::open_live_camera(std::size_t which, const CameraDescriptio
 }
 
 /// The header alone is read: most images are replaced by newer ones before anybody wants their pixels.
-bool RobotIntake::take_image(std::string_view message, ArrivingImages& camera) {
+bool RobotIntake::take_image(std::string_view message, std::size_t which) {
   const auto header = parse_header(message, BagEncoding::kCdr);
   if (!header) return false;
   const ros::Stamp_ns stamp = stamp_of(*header);
   if (stamp < 0) return false;
   const double stamp_s = ros::stamp_s(stamp);
-  if (is_next(camera.stream, frame_name(header->frame_id), stamp_s, "images"))
+  ArrivingImages& camera = state_.cameras[which];
+  if (is_next(camera.stream, frame_name(header->frame_id), stamp_s, camera_name(which)))
     keep_image(camera, {stamp_s, std::string(message), nullptr});
   return true;
 }
@@ -84,8 +85,9 @@ void RobotIntake::take_live_images() {
     if (!image) continue;
     double stamp_s = static_cast<double>(image->realtime_ns) / 1e9;
     if (connection_.clock == ConnectedClock::kArrival) stamp_s = image->stamp_s;
-    if (connection_.clock == ConnectedClock::kRos) stamp_s = now_s() - (clock_.now_s() - image->stamp_s);
-    if (is_next(state_.cameras[i].stream, {}, stamp_s, "images"))
+    if (connection_.clock == ConnectedClock::kRos)
+      stamp_s = state_.ros_clock_s.value_or(0) - (clock_.now_s() - image->stamp_s);
+    if (is_next(state_.cameras[i].stream, {}, stamp_s, camera_name(i)))
       keep_image(state_.cameras[i], {stamp_s, {}, std::move(image->pixels)});
   }
 }

@@ -9,6 +9,7 @@ namespace aisle {
 namespace {
 
 constexpr double kGainedOver_s = 0.25;  // simulators may run faster than commands are sent
+constexpr double kLate = 1.5;           // cycles after a decision: the next one is late
 constexpr auto kPeriod = std::chrono::duration<double>(CommandOutlet::kPeriod_s);
 
 /// From one value towards another: away from 0 by at most `step`, towards 0 at once.
@@ -103,18 +104,28 @@ Arc CommandOutlet::commanded() {
   return commanded_;
 }
 
+/// What is left of a command's speed at an age. A vehicle that was slowed down stands soon when it is told
+/// to.
+double CommandOutlet::share_of(double age_s) const {
+  const double late_s = std::min(kLate * vehicle_.cycle_s, settings_.age_max_s);
+  if (age_s <= late_s) return 1;
+  return std::max(0.0, (settings_.age_max_s - age_s) / (settings_.age_max_s - late_s));
+}
+
 Command CommandOutlet::present(double now_s) {
   if (is_held_) return {};
-  if (now_s - wanted_at_s_ > settings_.age_max_s) {
+  const double age_s = now_s - wanted_at_s_;
+  if (age_s > settings_.age_max_s) {
     if (is_moving(wanted_)) ++aged_;
     wanted_ = {};
   }
   const DriveLimits& limits = vehicle_.limits;
+  const double share = share_of(age_s);
   const double since_s = std::clamp(now_s - sent_at_s_, 0.0, kGainedOver_s);
-  return {
-      gained(sent_.speed_mps, wanted_.speed_mps, limits.acceleration_max_mps2 * since_s),
-      wanted_.steering_rad,
-      gained(sent_.turn_rate_rad_s, wanted_.turn_rate_rad_s, limits.turn_acceleration_max_rad_s2 * since_s)};
+  return {gained(sent_.speed_mps, share * wanted_.speed_mps, limits.acceleration_max_mps2 * since_s),
+          wanted_.steering_rad,
+          gained(sent_.turn_rate_rad_s, share * wanted_.turn_rate_rad_s,
+                 limits.turn_acceleration_max_rad_s2 * since_s)};
 }
 
 }  // namespace aisle

@@ -15,7 +15,8 @@
 namespace aisle {
 
 /// Sends commands to a robot at 20 Hz, whatever the mission does: robots stop without, and some do not even
-/// then. The latest command is sent until it is too old; then, while held, and ten times at the end: stop.
+/// then. The latest command is sent until it is too old, ever slower once the next one is late; then, while
+/// held, and ten times at the end: stop.
 /// What gets faster does so within the vehicle's limits; what gets slower does so at once.
 class CommandOutlet {
  public:
@@ -52,6 +53,7 @@ class CommandOutlet {
   void run();
   void send();
   void add_commanded(double now_s);
+  double share_of(double age_s) const;
   Command present(double now_s);
 
   std::unique_ptr<WirePublisher> publisher_;

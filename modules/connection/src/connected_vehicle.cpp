@@ -1,7 +1,5 @@
 #include "aisle/connection/connected_vehicle.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -12,6 +10,7 @@
 #include "mission_clock.hpp"
 #include "odometry_reading.hpp"
 #include "robot_intake.hpp"
+#include "robot_monitor.hpp"
 #include "scan_fitting.hpp"
 
 namespace aisle {
@@ -19,13 +18,7 @@ namespace {
 
 constexpr double kAsk_s = 0.02;           // how long it waits before it looks again
 constexpr double kOdometryWait_s = 0.06;  // for odometry as new as the scan
-constexpr double kLookAtTopic_s = 0.25;   // how often it looks who else commands
-constexpr double kClockStands_s = 10;     // of aisle's own time
-constexpr double kOdometryGone = 2;       // times silent_max_s: the mission ends
-
-std::string silence(const std::string& topic, double silent_s) {
-  return fmt::format("{} silent for {:.1f} s", topic, silent_s);
-}
+constexpr double kLookAtTopic_s = 0.1;    // how often it looks who else commands
 
 }  // namespace
 
@@ -39,6 +32,7 @@ class ConnectedVehicle::Cycle {
         intake_(std::move(intake)),
         contact_(std::move(contact)),
         command_topic_(connection.topic(connection.commands.topic)),
+        monitor_(connection_, contact_.vehicle, *intake_, surroundings_.clock),
         mission_clock_(contact_.vehicle.cycle_s) {
     if (contact_.commands)
       outlet_.emplace(
@@ -47,7 +41,6 @@ class ConnectedVehicle::Cycle {
           contact_.vehicle, [this] { return now_s(); }, [this] { return stamp_now(); });
     const auto lock = intake_->lock();
     drop_readings();  // they are from before the vehicle was looked at
-    connected_s_ = intake_->now_s();
   }
 
   const VehicleDescription& description() const { return contact_.vehicle; }
@@ -69,6 +62,8 @@ class ConnectedVehicle::Cycle {
       surroundings_.progress.report(is_held() ? "held" : "driving", 0, 0);
       look_at_command_topic();
       judge();
+      if (is_held() && end_reason_.empty() && surroundings_.progress.shall_end())
+        end_reason_ = "ended while held: " + held_because_;
       if (!end_reason_.empty()) return std::nullopt;
       auto lock = intake_->lock();
       if (is_held()) {
@@ -86,6 +81,7 @@ class ConnectedVehicle::Cycle {
     counts.commands_aged = outlet_ ? outlet_->aged() : 0;
     counts.holds = holds_;
     counts.held_s = mission_clock_.held_s();
+    monitor_.add_ages(counts);
     return counts;
   }
 
@@ -113,9 +109,11 @@ class ConnectedVehicle::Cycle {
     std::string because;
     {
       const auto lock = intake_->lock();
-      end_reason_ = why_end();
-      because = why_held();
+      intake_->take_live_images();
+      end_reason_ = monitor_.why_end();
+      because = monitor_.why_held();
     }
+    if (because.empty()) because = obstacle_;
     if (!end_reason_.empty()) return hold(true);
     if (because == held_because_) return;
     if (!is_held()) ++holds_;
@@ -126,41 +124,6 @@ class ConnectedVehicle::Cycle {
 
   void hold(bool is_held) {
     if (outlet_) outlet_->hold(is_held);
-  }
-
-  std::string why_end() const {
-    const RobotState& state = intake_->state();
-    if (!state.broken.empty()) return state.broken;
-    const double now_s = intake_->now_s();
-    const auto silent_s = [&](double arrived_s) { return now_s - std::max(arrived_s, connected_s_); };
-    if (connection_.clock == ConnectedClock::kRos &&
-        surroundings_.clock.now_s() - state.clock_arrived_s > kClockStands_s)
-      return fmt::format("/clock stands still for {:.0f} s", kClockStands_s);
-    if (has_scanner() && silent_s(state.scan.arrived_s) > connection_.scan.silent_max_s)
-      return silence(intake_->scans().topic, connection_.scan.silent_max_s);
-    for (std::size_t i = 0; i < state.cameras.size(); ++i) {
-      const double silent_max_s = connection_.cameras[i].silent_max_s;
-      if (silent_s(state.cameras[i].stream.arrived_s) > silent_max_s)
-        return silence(intake_->camera_name(i), silent_max_s);
-    }
-    const double odometry_max_s = kOdometryGone * connection_.odometry.silent_max_s;
-    if (silent_s(state.odometry_arrived_s) > odometry_max_s)
-      return silence(intake_->odometry().topic, odometry_max_s);
-    return {};
-  }
-
-  std::string why_held() const {
-    const RobotState& state = intake_->state();
-    const double now_s = intake_->now_s();
-    for (std::size_t i = 0; i < state.emergency_stops.size(); ++i) {
-      const std::string topic = connection_.topic(connection_.emergency_stops[i].topic);
-      if (state.emergency_stops[i].is_pressed) return fmt::format("the emergency stop {} is pressed", topic);
-      if (state.emergency_stops[i].is_silent(connection_.emergency_stops[i].silent_max_s, now_s))
-        return fmt::format("the emergency stop {} is silent", topic);
-    }
-    if (now_s - std::max(state.odometry_arrived_s, connected_s_) > connection_.odometry.silent_max_s)
-      return fmt::format("{} is silent", intake_->odometry().topic);
-    return obstacle_;
   }
 
   bool is_held() const { return !held_because_.empty(); }
@@ -230,9 +193,9 @@ class ConnectedVehicle::Cycle {
   std::unique_ptr<RobotIntake> intake_;
   const FirstContact contact_;
   const std::string command_topic_;
+  const RobotMonitor monitor_;
   std::optional<OdometryReadings> readings_;
   Odometry odometry_;
-  double connected_s_ = 0;
   double looked_s_ = kNever_s;
   std::string obstacle_;
   std::string held_because_;

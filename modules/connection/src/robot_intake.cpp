@@ -17,8 +17,9 @@ namespace {
 constexpr std::size_t kScansWaiting = 2;
 constexpr std::size_t kPeriodsKept = 5;
 constexpr double kClockJump_s = 1;
-constexpr double kSweepMax_s = 10;    // no scanner takes longer for a scan
-constexpr double kLeapsApart_s = 10;  // two leaps within this: the odometry is broken
+constexpr double kSweepMax_s = 10;        // no scanner takes longer for a scan
+constexpr double kLeapsApart_s = 10;      // two leaps within this: the odometry is broken
+constexpr double kJumpsTogether_s = 0.5;  // within this, what jumps later does so for the same reason
 constexpr int kUnreadableInARow = 10;
 constexpr double kUnreadableShare = 0.01;
 constexpr std::size_t kUnreadableLeast = 10;
@@ -64,7 +65,9 @@ void RobotIntake::wait_for_odometry(std::unique_lock<std::mutex>& lock, double s
 }
 
 double RobotIntake::now_s() const {
-  return connection_.clock == ConnectedClock::kRos ? state_.ros_clock_s.value_or(0) : clock_.now_s();
+  return connection_.clock == ConnectedClock::kRos
+             ? state_.ros_clock_s.value_or(0) - state_.ros_clock_skipped_s
+             : clock_.now_s();
 }
 
 void RobotIntake::arrive(const std::string& type, const std::function<bool()>& take) {
@@ -73,7 +76,7 @@ void RobotIntake::arrive(const std::string& type, const std::function<bool()>& t
     ++state_.counts.messages;
     has_news_ = true;
     if (take()) {
-      state_.unreadable_in_a_row = 0;
+      state_.unreadable_in_a_row[type] = 0;
     } else {
       count_unreadable(type);
     }
@@ -87,12 +90,13 @@ void RobotIntake::count_unreadable(const std::string& type) {
   const bool are_many =
       counts.unreadable >= kUnreadableLeast &&
       static_cast<double>(counts.unreadable) > kUnreadableShare * static_cast<double>(counts.messages);
-  if (++state_.unreadable_in_a_row >= kUnreadableInARow || are_many)
+  if (++state_.unreadable_in_a_row[type] >= kUnreadableInARow || are_many)
     be_broken(fmt::format("{} of {} messages cannot be read, the last of them {}", counts.unreadable,
                           counts.messages, type));
 }
 
-bool RobotIntake::is_next(StreamState& stream, const std::string& frame, double stamp_s, const char* what) {
+bool RobotIntake::is_next(StreamState& stream, const std::string& frame, double stamp_s,
+                          const std::string& name) {
   if (stream.frame.empty()) stream.frame = frame;
   if (frame != stream.frame) {
     ++state_.counts.scans_foreign;
@@ -101,15 +105,18 @@ bool RobotIntake::is_next(StreamState& stream, const std::string& frame, double 
   if (stream.newest_s) {
     const double gap_s = stamp_s - *stream.newest_s;
     if (gap_s < -kClockJump_s)
-      be_broken(fmt::format("the clock of its {} jumped back by {:.1f} s", what, -gap_s));
-    if (gap_s > kClockJump_s) ++state_.counts.clock_gaps;
+      be_broken(fmt::format("the stamps of {} jumped back by {:.1f} s", name, -gap_s));
+    if (gap_s > kClockJump_s) {
+      ++state_.counts.clock_gaps;
+      note_jump(fmt::format("the stamps of {} jumped ahead by {:.1f} s", name, gap_s));
+    }
     if (gap_s <= 0) {
       ++state_.counts.out_of_order;
       return false;
     }
     if (stream.periods_s.size() < kPeriodsKept) stream.periods_s.push_back(gap_s);
   }
-  stream.newest_s = stamp_s;
+  stream.newest_s = stream.newest_end_s = stamp_s;
   stream.arrived_s = now_s();
   stream.pace.take(now_s(), age_s(stamp_s));
   return true;
@@ -121,7 +128,8 @@ bool RobotIntake::take_scan(const ros::LaserScan& message) {
   const double stamp_s = ros::stamp_s(stamp);
   auto scan = bag_scan(message, {.stamp = stamp}, doubts);
   if (!scan || stamp < 0 || end_of_scan_s(*scan) > stamp_s + kSweepMax_s) return false;
-  if (!is_next(state_.scan, scan->frame, stamp_s, "scans")) return true;
+  if (!is_next(state_.scan, scan->frame, stamp_s, scans_.topic)) return true;
+  state_.scan.newest_end_s = end_of_scan_s(*scan);
   state_.scans.push_back(std::move(*scan));
   if (state_.scans.size() > kScansWaiting) {
     state_.scans.pop_front();
@@ -173,6 +181,11 @@ bool RobotIntake::take_clock(const ros::Clock& message) {
   const double clock_s = ros::stamp_s(ros::stamp_ns(message.clock));
   if (state_.ros_clock_s && clock_s < *state_.ros_clock_s - kClockJump_s)
     be_broken(fmt::format("/clock jumped back by {:.1f} s", *state_.ros_clock_s - clock_s));
+  if (const double ahead_s = clock_s - state_.ros_clock_s.value_or(clock_s); ahead_s > kClockJump_s) {
+    state_.ros_clock_skipped_s += ahead_s;
+    ++state_.counts.clock_gaps;
+    note_jump(fmt::format("/clock jumped ahead by {:.1f} s", ahead_s));
+  }
   if (!state_.ros_clock_s || clock_s > *state_.ros_clock_s) state_.clock_arrived_s = clock_.now_s();
   state_.ros_clock_s = clock_s;
   return true;
@@ -187,6 +200,13 @@ bool RobotIntake::take_pose(double stamp_s, const ros::Vector3& position,
 bool RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
   const Vec2& p_base_axle_m = connection_.frames.p_base_axle_m;
   const double now = now_s();
+  const double gap_s = state_.trail.empty() ? 0 : stamp_s - state_.trail.newest_s();
+  if (std::abs(gap_s) > kClockJump_s) {
+    const std::string jump = fmt::format("the stamps of {} jumped {} by {:.1f} s", odometry_.topic,
+                                         gap_s < 0 ? "back" : "ahead", std::abs(gap_s));
+    if (gap_s < 0) be_broken(jump);
+    note_jump(jump);
+  }
   switch (state_.trail.take(stamp_s, T_odom_base * Pose2{p_base_axle_m.x(), p_base_axle_m.y(), 0})) {
     case OdometryTrail::Taken::kMotion:
       break;
@@ -198,6 +218,7 @@ bool RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
       break;
     case OdometryTrail::Taken::kLeap:
       ++state_.counts.odometry_leaps;
+      note_jump("its odometry leapt");
       if (now - state_.leap_arrived_s < kLeapsApart_s)
         be_broken(fmt::format("its odometry leapt twice in {:.0f} s", kLeapsApart_s));
       state_.leap_arrived_s = now;
@@ -215,7 +236,7 @@ ros::Stamp_ns RobotIntake::stamp_of(const ros::Header& header) const {
 
 /// By /clock, or by the clock that machines keep together.
 double RobotIntake::age_s(double stamp_s) const {
-  if (connection_.clock == ConnectedClock::kRos) return now_s() - stamp_s;
+  if (connection_.clock == ConnectedClock::kRos) return state_.ros_clock_s.value_or(0) - stamp_s;
   return wall_clock_s() - stamp_s;
 }
 
@@ -224,6 +245,12 @@ double RobotIntake::robot_time_s() const {
   const double newest_s = std::max(state_.scan.newest_s.value_or(0), state_.trail.newest_s());
   const double since_s = now_s() - std::max(state_.scan.arrived_s, state_.odometry_arrived_s);
   return std::max(0.0, newest_s + std::max(0.0, since_s));
+}
+
+void RobotIntake::note_jump(std::string what) {
+  const bool is_another = now_s() - state_.jump_s > kJumpsTogether_s;
+  if (is_another) state_.jump = std::move(what);
+  state_.jump_s = now_s();
 }
 
 void RobotIntake::be_broken(std::string why) {

@@ -52,6 +52,8 @@ class RobotIntake {
   std::unique_lock<std::mutex> lock() { return std::unique_lock(mutex_); }
   /// Until something has arrived since the last such wait.
   void wait(std::unique_lock<std::mutex>& lock, double most_s);
+  /// Looks at the cameras that aisle opens itself, as every wait does. Needs the lock.
+  void take_live_images();
   /// Until the odometry is as new as a stamp.
   void wait_for_odometry(std::unique_lock<std::mutex>& lock, double stamp_s, double most_s);
   RobotState& state() { return state_; }
@@ -71,7 +73,6 @@ class RobotIntake {
   Problems subscribe(Wire& wire);
   Problems open_camera(Wire& wire, std::size_t which, const VehicleDescription& vehicle);
   Problems open_live_camera(std::size_t which, const CameraDescription* described);
-  void take_live_images();
   /// Keeps a subscription whose messages `take` puts away. @return what `needed` is subscribed as
   Problems subscribe(Wire& wire, NeededTopic& needed, WireQuality quality, Wire::Sink take);
   template <class Message>
@@ -89,7 +90,7 @@ class RobotIntake {
 
   // @return whether the message makes sense
   bool take_scan(const ros::LaserScan& message);
-  bool take_image(std::string_view message, ArrivingImages& camera);
+  bool take_image(std::string_view message, std::size_t which);
   bool take_joystick(const ros::Joy& message);
   bool take_odometry(const ros::Odometry& message);
   bool take_odometry_transforms(const ros::TFMessage& message);
@@ -101,11 +102,12 @@ class RobotIntake {
   bool take_base(double stamp_s, const Pose2& T_odom_base);
 
   /// Whether a reading is of the stream's frame and newer than the one before; counts what is not.
-  bool is_next(StreamState& stream, const std::string& frame, double stamp_s, const char* what);
+  bool is_next(StreamState& stream, const std::string& frame, double stamp_s, const std::string& name);
   void keep_image(ArrivingImages& camera, ArrivedImage image);
 
   ros::Stamp_ns stamp_of(const ros::Header& header) const;
   double age_s(double stamp_s) const;
+  void note_jump(std::string what);
   void be_broken(std::string why);
 
   const Connection connection_;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,7 +39,8 @@ struct StreamState {
   double arrived_s = kNever_s;
   TopicPace pace;
   std::optional<double> newest_s;
-  std::vector<double> periods_s;  ///< of the first
+  double newest_end_s = kNever_s;  ///< of a scan, when its last beam was measured
+  std::vector<double> periods_s;   ///< of the first
 };
 
 /// An image as it came: most are replaced by newer ones before anybody wants their pixels.
@@ -73,11 +75,14 @@ struct RobotState {
   std::optional<Joystick> joystick;          ///< none: nobody drives by one
   std::optional<double> charge;              ///< of the battery, 0 to 1
   std::optional<double> ros_clock_s;
+  double ros_clock_skipped_s = 0;  ///< in jumps ahead, which are no time that passed
   double clock_arrived_s = kNever_s;
 
-  int unreadable_in_a_row = 0;
+  std::map<std::string, int> unreadable_in_a_row;  ///< by type
   ConnectionCounts counts;
-  std::string broken;  ///< why what the robot says makes no sense any more; empty: it does
+  std::string jump;          ///< the last one that was left out, of odometry or a clock
+  double jump_s = kNever_s;  ///< when it arrived
+  std::string broken;        ///< why what the robot says makes no sense any more; empty: it does
 };
 
 }  // namespace aisle

@@ -64,16 +64,18 @@ Problems RobotIntake::subscribe_switches(Wire& wire, const std::vector<Connected
   Problems problems;
   for (std::size_t i = 0; i < switches.size(); ++i) {
     NeededTopic topic{connection_.topic(switches[i].topic), ros::Bool::kType};
-    for (Problem& problem :
-         subscribe(wire, topic, WireQuality::kSensor, [this, &state = states[i]](std::string_view bytes) {
-           arrive<ros::Bool>(bytes, [&](const ros::Bool& message) {
-             state.is_pressed = message.data;
-             state.was_pressed |= message.data;
-             state.arrived_s = now_s();
-             return true;
-           });
-         }))
-      problems.push_back(std::move(problem));
+    const auto take = [this, &state = states[i]](std::string_view bytes) {
+      arrive<ros::Bool>(bytes, [&](const ros::Bool& message) {
+        state.is_pressed = message.data;
+        state.was_pressed |= message.data;
+        state.arrived_s = now_s();
+        return true;
+      });
+    };
+    // Latched as well: one that was pressed before this program began says so once, if at all.
+    for (const WireQuality quality : {WireQuality::kSensor, WireQuality::kLatched}) {
+      for (Problem& problem : subscribe(wire, topic, quality, take)) problems.push_back(std::move(problem));
+    }
   }
   return problems;
 }

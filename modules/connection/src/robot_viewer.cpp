@@ -1,8 +1,13 @@
 #include "aisle/connection/robot_viewer.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "aisle/formats/bags/bag_scan.hpp"
+#include "aisle/formats/bags/transform_tree.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/map_messages.hpp"
 
@@ -10,6 +15,8 @@ namespace aisle {
 namespace {
 
 constexpr const char* kMapFrame = "map";
+constexpr const char* kTransforms = "/tf";
+constexpr std::size_t kOwnKept = 50;  // of transforms, which come back over the network
 
 Pose2 pose_of(const ros::Pose& pose) {
   return {pose.position.x, pose.position.y, 2 * std::atan2(pose.orientation.z, pose.orientation.w)};
@@ -36,8 +43,12 @@ std::string restamped(std::string_view cdr, ros::Stamp_ns stamp) {
 }  // namespace
 
 RobotViewer::RobotViewer(Wire& wire, const Connection& connection, const ConnectedVehicle& vehicle,
-                         MessageSink* next)
-    : wire_(wire), connection_(connection), vehicle_(vehicle), next_(next) {}
+                         MessageSink* next, std::function<void(const std::string&)> note)
+    : wire_(wire), connection_(connection), vehicle_(vehicle), next_(next), note_(std::move(note)) {
+  auto transforms = wire.subscribe(kTransforms, ros::TFMessage::kType, WireQuality::kSensor,
+                                   [this](std::string_view cdr) { hear_transforms(cdr); });
+  if (transforms) transforms_ = std::move(*transforms);
+}
 
 void RobotViewer::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {
   if (next_ != nullptr) next_->take(topic, stamp, cdr);
@@ -51,7 +62,37 @@ void RobotViewer::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::stri
   }
 }
 
+/// A robot has many publishers of transforms; which of them says where the map is, only the messages tell.
+bool RobotViewer::is_of_another(const std::string& name) {
+  if (left_.count(name) > 0) return true;
+  const auto others = wire_.endpoints();
+  const bool is_there =
+      name != kTransforms && std::any_of(others.begin(), others.end(), [&](const WireEndpoint& endpoint) {
+        return endpoint.kind == WireEndpoint::Kind::kPublisher && endpoint.topic == name;
+      });
+  if (is_there) leave(name);
+  return is_there;
+}
+
+void RobotViewer::leave(const std::string& what) {
+  if (left_.insert(what).second)
+    note_(fmt::format("{} is published by another program: this one leaves it to that", what));
+}
+
+void RobotViewer::hear_transforms(std::string_view cdr) {
+  const auto message = parse_cdr<ros::TFMessage>(cdr);
+  if (!message) return;
+  const std::lock_guard lock(mutex_);
+  // The network fills messages up to a multiple of four bytes.
+  const auto is_own = [&](const std::string& own) { return cdr.starts_with(own); };
+  if (std::any_of(own_transforms_.begin(), own_transforms_.end(), is_own)) return;
+  for (const ros::TransformStamped& transform : message->transforms)
+    others_place_odom_ |= frame_name(transform.header.frame_id) == kMapFrame &&
+                          frame_name(transform.child_frame_id) == connection_.frames.odom;
+}
+
 void RobotViewer::publish(const SessionTopic& topic, const std::string& name, std::string_view cdr) {
+  if (is_of_another(name)) return;
   auto& publisher = publishers_[name];
   if (!publisher) {
     auto advertised =
@@ -67,9 +108,18 @@ void RobotViewer::publish_pose(std::string_view cdr) {
   if (!message) return;
   const ConnectedVehicle::Odometry& odometry = vehicle_.odometry();
   const Pose2 T_map_odom = pose_of(message->pose.pose) * odometry.T_odom_vehicle.inverse();
-  static const SessionTopic transforms{"/tf", ros::TFMessage::kType};
-  publish(transforms, "/tf",
-          cdr_bytes(ros::TFMessage{{transform(odometry.stamp, connection_.frames.odom, T_map_odom)}}));
+  const std::string own =
+      cdr_bytes(ros::TFMessage{{transform(odometry.stamp, connection_.frames.odom, T_map_odom)}});
+  bool is_left = false;
+  {
+    const std::lock_guard lock(mutex_);
+    own_transforms_.push_back(own);
+    if (own_transforms_.size() > kOwnKept) own_transforms_.pop_front();
+    is_left = others_place_odom_;
+  }
+  if (is_left) return leave(fmt::format("the transform from {} to {}", kMapFrame, connection_.frames.odom));
+  static const SessionTopic transforms{kTransforms, ros::TFMessage::kType};
+  publish(transforms, kTransforms, own);
 }
 
 }  // namespace aisle

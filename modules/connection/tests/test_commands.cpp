@@ -61,6 +61,18 @@ TEST_F(CommandOutletTest, GetsFasterWithinTheLimitsAndSlowerAtOnce) {
   sent->wait_for_newest(is_stop);
 }
 
+TEST_F(CommandOutletTest, GetsSlowerOnceTheNextDecisionIsLate) {
+  VehicleDescription vehicle = cart();
+  vehicle.cycle_s = 0.1;
+  vehicle.limits.acceleration_max_mps2 = 20;
+  const auto outlet = outlet_of(vehicle);
+  clock.move(1);
+  outlet->act({.speed_mps = 0.4});
+  sent->wait_for_newest([](const std::string& m) { return twist_in(m).linear.x == 0.4; });
+  clock.move(0.225);  // in the middle between one and a half cycles and the greatest age
+  sent->wait_for_newest([](const std::string& m) { return std::abs(twist_in(m).linear.x - 0.2) < 1e-6; });
+}
+
 TEST_F(CommandOutletTest, ACommandThatBecomesTooOldIsReplacedByAStop) {
   const auto outlet = outlet_of(cart());
   clock.move(1);

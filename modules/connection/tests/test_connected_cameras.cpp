@@ -121,7 +121,40 @@ TEST_F(ConnectedCamerasTest, SilentImagesEndTheMissionByName) {
   robot.sends_images = false;
   while ((*connected)->sense()) {
   }
+  EXPECT_THAT(robot.notes, testing::Contains("held: /camera/image_raw is far behind /odom"));
   EXPECT_EQ((*connected)->end_reason(), "/camera/image_raw silent for 1.0 s");
+}
+
+TEST_F(ConnectedCamerasTest, ImagesWhoseStampsJumpAheadHoldTheVehicleForASecond) {
+  leave_out_the_scanner();
+  const auto connected = connect();
+  const double before_s = (*connected)->sense()->stamp_s;
+  const long from = robot.ticks;
+  robot.stamp_s += 50;
+  const auto after = (*connected)->sense();
+  EXPECT_GE(robot.ticks - from, 50);
+  EXPECT_NEAR(after->stamp_s, before_s + 0.1, 0.02);
+  EXPECT_EQ((*connected)->counts().clock_gaps, 1U);
+  EXPECT_THAT(robot.notes, testing::Contains(HasSubstr("jumped ahead by 50.0 s")));
+}
+
+TEST_F(ConnectedCamerasTest, ImagesWhoseStampsJumpBackEndTheMission) {
+  leave_out_the_scanner();
+  connection.odometry.topic = "wheel_odom";  // whose stamps stay as they are
+  robot.script = [&] {
+    ros::Odometry odometry;
+    odometry.header = robot.header("odom");
+    odometry.header.stamp = ros::time_of(ros::stamp_ns(5000 + 0.02 * static_cast<double>(robot.ticks)));
+    odometry.pose.pose.orientation = {0, 0, 0, 1};
+    robot.wire.tell("/wheel_odom", cdr_bytes(odometry));
+  };
+  const auto connected = connect();
+  ASSERT_TRUE(connected.ok()) << to_string(connected.problems());
+  (*connected)->sense();
+  robot.stamp_s -= 100;
+  while ((*connected)->sense()) {
+  }
+  EXPECT_THAT((*connected)->end_reason(), HasSubstr("the stamps of /camera/image_raw jumped back by 99.9 s"));
 }
 
 TEST_F(ConnectedCamerasTest, SilentImagesEndAMissionThatAScannerLeadsToo) {

@@ -53,7 +53,7 @@ class CalibrationReader {
 
   Result<CameraCalibration> read(std::string_view text) {
     try {
-      read_document(YAML::Load(without_opencv_head(text)));
+      read_document(load_yaml(without_opencv_head(text)));
     } catch (const YAML::Exception& error) {
       return Problem{{file_, error.mark.line + 1}, "is not YAML: " + error.msg};
     }

@@ -7,6 +7,7 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "parameter_tree.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
@@ -51,7 +52,7 @@ void write_level(std::string& text, const std::vector<NestedField>& fields, std:
 Problems parse_parameters(std::string_view text, const std::string& name, FieldList& fields) {
   try {
     ParameterTree tree(name, fields);
-    const YAML::Node root = YAML::Load(std::string(text));
+    const YAML::Node root = load_yaml(text);
     if (!root.IsNull()) tree.read("", root);
     return tree.take_problems();
   } catch (const YAML::Exception& error) {

@@ -2,45 +2,21 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-#include <zlib.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <memory>
+#include <utility>
+
+#include "unpacked_file.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;
 
 Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return Problem{{path.string()}, "no such file"};
-  if (fs::is_directory(status)) return Problem{{path.string()}, "is a directory, not a file"};
-
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
-  if (!file) return Problem{{path.string()}, std::string("cannot be opened: ") + std::strerror(errno)};
-  gzbuffer(file.get(), 1 << 17);
-  std::string bytes;
-  std::size_t used = 0;
-  while (true) {
-    if (bytes.size() < used + (1 << 17)) bytes.resize(std::max<std::size_t>(2 * bytes.size(), 1 << 20));
-    const int count = gzread(file.get(), bytes.data() + used,
-                             static_cast<unsigned>(std::min<std::size_t>(bytes.size() - used, 1 << 30)));
-    int code = Z_OK;
-    const char* message = gzerror(file.get(), &code);
-    if (count < 0 || (code != Z_OK && code != Z_STREAM_END)) {
-      const std::string why = code == Z_BUF_ERROR ? "the gzip stream is cut off" : message;
-      return Problem{{path.string()}, "cannot be read: " + why};
-    }
-    used += static_cast<std::size_t>(count);
-    if (used > max_bytes) {
-      return Problem{{path.string()}, "is larger than " + std::to_string(max_bytes >> 20) + " MiB unpacked"};
-    }
-    if (count == 0) break;
-  }
-  bytes.resize(used);
-  return bytes;
+  Result<UnpackedFile> file = read_unpacked_file(path, max_bytes);
+  if (!file) return file.problems();
+  if (!file->damage.empty()) return Problem{{path.string()}, "cannot be read: " + file->damage};
+  return std::move(file->bytes);
 }
 
 Problems write_whole_file(const fs::path& path, std::string_view bytes) {

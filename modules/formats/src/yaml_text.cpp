@@ -1,14 +1,66 @@
 #include "yaml_text.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "field_reader.hpp"
 
 namespace aisle {
+namespace {
+
+constexpr int kLevelsMax = 32;
+constexpr std::size_t kValuesMax = 2'000'000;
+
+/// Follows a document without keeping it.
+class YamlLimits final : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { count(mark); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { count(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override {
+    count(mark);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    descend(mark);
+  }
+  void OnSequenceEnd() override { --levels_; }
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {
+    descend(mark);
+  }
+  void OnMapEnd() override { --levels_; }
+
+ private:
+  void count(const YAML::Mark& mark) {
+    if (++values_ > kValuesMax)
+      throw YAML::ParserException(mark, fmt::format("more than {} values", kValuesMax));
+  }
+  void descend(const YAML::Mark& mark) {
+    count(mark);
+    if (++levels_ > kLevelsMax)
+      throw YAML::ParserException(mark, fmt::format("more than {} levels", kLevelsMax));
+  }
+
+  int levels_ = 0;
+  std::size_t values_ = 0;
+};
+
+}  // namespace
+
+YAML::Node load_yaml(std::string_view text) {
+  const std::string document(text);
+  std::istringstream once(document), again(document);
+  YamlLimits limits;
+  YAML::Parser(once).HandleNextDocument(limits);
+  return YAML::Load(again);
+}
 
 std::string yaml_quoted(const std::string& text) {
   YAML::Emitter out;

@@ -9,6 +9,11 @@
 
 namespace aisle {
 
+/// The first document of a YAML text. Each value takes some 300 bytes of memory, and each level of the stack:
+/// more than 2 million values or 32 levels count as malformed.
+/// @throws YAML::ParserException where the text is malformed
+YAML::Node load_yaml(std::string_view text);
+
 /// The text as a YAML scalar in double quotes.
 std::string yaml_quoted(const std::string& text);
 

@@ -40,6 +40,10 @@ Result<MissionEnd> run_mission(Vehicle& vehicle, Navigator& navigator, MissionRe
            .duration_s = observation->stamp_s - *start_s};
     if (decision.status != NavigatorStatus::kGoing) return end;
     progress.report(decision.state, end.cycles, 0);
+    if (progress.shall_end()) {
+      end.why = kEndedByUser;
+      return end;
+    }
   }
   end.why = vehicle.end_reason();
   return end;

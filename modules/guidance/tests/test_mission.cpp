@@ -108,5 +108,25 @@ TEST(Mission, StopsTheVehicleWhenInterrupted) {
   EXPECT_THAT(vehicle.speeds_mps, ElementsAre(1, 0));
 }
 
+TEST(Mission, EndsWhereTheUserEndsIt) {
+  class Content final : public Progress {
+   public:
+    void report(std::string_view, std::size_t done, std::size_t) override { done_ = done; }
+    bool shall_end() const override { return done_ == 2; }
+
+   private:
+    std::size_t done_ = 0;
+  } content;
+  CountingVehicle vehicle(100);
+  TimedNavigator navigator(10);
+  SmallRecord record(1000);
+  const auto end = run_mission(vehicle, navigator, record, content);
+  ASSERT_TRUE(end.ok());
+  EXPECT_FALSE(end->arrived);
+  EXPECT_EQ(end->why, kEndedByUser);
+  EXPECT_EQ(end->cycles, 2U);
+  EXPECT_THAT(vehicle.speeds_mps, ElementsAre(1, 1, 0));
+}
+
 }  // namespace
 }  // namespace aisle

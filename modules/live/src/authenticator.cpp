@@ -30,8 +30,14 @@ bool equal_names(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-Authenticator::Authenticator(bool is_local, std::string token)
-    : is_local_(is_local), token_(std::move(token)) {}
+bool is_origin(std::string_view text) {
+  const std::string_view host = without_scheme(text);
+  const bool is_web = text.starts_with("http://") || text.starts_with("https://");
+  return is_web && !host.empty() && host.find_first_of("/?#*@ ") == std::string_view::npos;
+}
+
+Authenticator::Authenticator(bool is_local, std::string token, std::vector<std::string> origins)
+    : is_local_(is_local), token_(std::move(token)), origins_(std::move(origins)) {}
 
 bool Authenticator::is_from_here(const Caller& caller) const {
   if (caller.host.empty()) return false;
@@ -39,7 +45,9 @@ bool Authenticator::is_from_here(const Caller& caller) const {
     const std::string_view name = without_port(caller.host);
     if (!equal_names(name, "localhost") && name != "127.0.0.1" && name != "[::1]") return false;
   }
-  return caller.origin.empty() || equal_names(without_scheme(caller.origin), caller.host);
+  const auto is_caller = [&](const std::string& origin) { return equal_names(origin, caller.origin); };
+  return caller.origin.empty() || equal_names(without_scheme(caller.origin), caller.host) ||
+         std::any_of(origins_.begin(), origins_.end(), is_caller);
 }
 
 bool Authenticator::knows_token(const Caller& caller) const {

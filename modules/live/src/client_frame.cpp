@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "aisle/formats/json_document.hpp"
 #include "little_endian.hpp"
 
 namespace aisle {
@@ -72,8 +73,9 @@ std::optional<ClientFrame> request_of(std::optional<std::vector<Element>> list) 
 }  // namespace
 
 std::optional<ClientFrame> parse_client_text(std::string_view text) {
-  const Json message = Json::parse(text, nullptr, false);
-  if (!message.is_object()) return std::nullopt;
+  const auto document = parse_json(text, "");
+  if (!document || !document->is_object()) return std::nullopt;
+  const Json& message = *document;
   auto op = text_at(message, "op");
   if (!op) return std::nullopt;
   if (*op == "subscribe")

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "aisle/formats/json_document.hpp"
+
 namespace aisle {
 namespace {
 
@@ -21,8 +23,9 @@ std::optional<double> number_at(const nlohmann::json& object, const char* key) {
 }  // namespace
 
 std::optional<DriveCommand> parse_drive_command(std::string_view json) {
-  const auto object = nlohmann::json::parse(json, nullptr, false);
-  if (!object.is_object()) return std::nullopt;
+  const auto document = parse_json(json, "");
+  if (!document || !document->is_object()) return std::nullopt;
+  const nlohmann::json& object = *document;
   const auto lease = object.find("lease"), sequence = object.find("sequence");
   if (lease == object.end() || !lease->is_string()) return std::nullopt;
   if (sequence == object.end() || !sequence->is_number_unsigned()) return std::nullopt;

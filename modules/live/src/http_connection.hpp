@@ -79,7 +79,9 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
             .target = view(request.target()),
             .body = request.body(),
             .knows_token = server_context_.authenticator.knows_token(caller()),
-            .has_lease = !lease.empty() && server_context_.hub.lease().renew(lease)};
+            .has_lease = !lease.empty() && server_context_.hub.lease().renew(lease),
+            .takes_gzip = http::token_list(request[http::field::accept_encoding]).exists("gzip"),
+            .known_tags = view(request[http::field::if_none_match])};
   }
 
   void upgrade() {
@@ -120,7 +122,14 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
     response.result(reply.status);
     response.set(http::field::server, "aisle");
     response.set(http::field::content_type, reply.media_type);
-    response.set(http::field::cache_control, "no-cache");
+    response.set(http::field::cache_control,
+                 reply.is_for_ever ? "public, max-age=31536000, immutable" : "no-cache");
+    if (!reply.tag.empty()) response.set(http::field::etag, reply.tag);
+    if (!reply.tag.empty()) response.set(http::field::vary, "Accept-Encoding");
+    if (reply.is_gzip) response.set(http::field::content_encoding, "gzip");
+    if (const auto origin = caller().origin; !origin.empty())
+      response.set(http::field::access_control_allow_origin,
+                   beast::string_view(origin.data(), origin.size()));
     response.set("X-Content-Type-Options", "nosniff");
     response.set("Referrer-Policy", "no-referrer");
     response.set(

@@ -1,5 +1,7 @@
 #include "http_request_handler.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -18,6 +20,8 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kSessions = "/sessions/";
 constexpr std::string_view kBuildings = "/buildings/";
+/// Files of the page whose names change with their content.
+constexpr std::string_view kNamedByContent = "assets/";
 constexpr const char* kNoPage =
     "The page is not built. In the source tree:\n\n    cd web && npm ci && npm run build\n\n"
     "Foxglove and other programs can connect to this address all the same.\n";
@@ -32,6 +36,24 @@ HttpReply file_reply(const fs::path& folder, std::string_view path) {
   if (folder.empty() || !file || !fs::is_regular_file(*file, error))
     return http_problem(404, "there is no such file");
   return {.media_type = media_type(*file), .body = {}, .file = *file};
+}
+
+/// The file that the page's build has compressed, if there is one.
+void prefer_gzip(HttpReply& reply) {
+  fs::path compressed = *reply.file;
+  compressed += ".gz";
+  std::error_code error;
+  if (!fs::is_regular_file(compressed, error)) return;
+  reply.file = std::move(compressed);
+  reply.is_gzip = true;
+}
+
+/// Changes when the file does.
+std::string tag_of(const fs::path& file) {
+  std::error_code error;
+  const auto bytes = fs::file_size(file, error);
+  const auto time = error ? fs::file_time_type() : fs::last_write_time(file, error);
+  return error ? std::string() : fmt::format("\"{:x}-{:x}\"", bytes, time.time_since_epoch().count());
 }
 
 /// The names of a folder's entries, sorted.
@@ -76,17 +98,25 @@ HttpReply HttpRequestHandler::answer(const HttpQuestion& question) const {
     return http_problem(405, "only GET, and POST of buildings");
   if (path == "/healthz") return json_reply(200, {{"ok", true}, {"version", version_}});
   const bool is_kept = path.starts_with(kSessions) || path.starts_with(kBuildings);
-  if (!is_kept) return page(path);
+  if (!is_kept) return page(question, path);
   if (!question.knows_token) return http_problem(401, "the token is missing or wrong");
   if (path.starts_with(kSessions)) return sessions(path.substr(kSessions.size()));
   return buildings(question, path.substr(kBuildings.size()));
 }
 
-HttpReply HttpRequestHandler::page(std::string_view path) const {
+HttpReply HttpRequestHandler::page(const HttpQuestion& question, std::string_view path) const {
   const std::string_view within = path.starts_with('/') ? path.substr(1) : path;
   HttpReply reply = file_reply(folders_.web, within.empty() ? "index.html" : within);
   if (within.empty() && reply.status == 404)
     return {.media_type = "text/plain; charset=utf-8", .body = kNoPage};
+  if (reply.status != 200) return reply;
+  reply.is_for_ever = within.starts_with(kNamedByContent);
+  if (question.takes_gzip) prefer_gzip(reply);
+  reply.tag = tag_of(*reply.file);
+  if (!reply.tag.empty() && question.known_tags.find(reply.tag) != std::string_view::npos) {
+    reply.status = 304;
+    reply.file.reset();
+  }
   return reply;
 }
 

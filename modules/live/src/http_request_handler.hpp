@@ -15,6 +15,8 @@ struct HttpQuestion {
   std::string_view body;
   bool knows_token = false;
   bool has_lease = false;
+  bool takes_gzip = false;
+  std::string_view known_tags = {};  ///< the If-None-Match header
 };
 
 struct HttpReply {
@@ -22,6 +24,9 @@ struct HttpReply {
   std::string media_type = "application/json";
   std::string body;
   std::optional<std::filesystem::path> file = {};  ///< the body, if there is one
+  std::string tag = {};                            ///< the ETag header; empty: none
+  bool is_gzip = false;
+  bool is_for_ever = false;  ///< the address names this content alone
 };
 
 /// A reply with an error message.
@@ -40,7 +45,7 @@ class HttpRequestHandler {
   HttpReply answer(const HttpQuestion& question) const;
 
  private:
-  HttpReply page(std::string_view path) const;
+  HttpReply page(const HttpQuestion& question, std::string_view path) const;
   HttpReply sessions(std::string_view path) const;
   HttpReply buildings(const HttpQuestion& question, std::string_view path) const;
   HttpReply keep_building(const HttpQuestion& question, std::string_view name) const;

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "aisle/formats/json_document.hpp"
+
 namespace aisle {
 namespace {
 
@@ -190,8 +192,9 @@ void Hub::call(ClientId id, Client& client, const ServiceRequest& request) {
   };
   if (request.service == 0 || request.service > services_.size()) return fail("there is no such service");
   if (request.encoding != "json") return fail("the encoding must be json");
-  auto arguments = nlohmann::json::parse(request.data.empty() ? "{}" : request.data, nullptr, false);
-  if (!arguments.is_object()) return fail("the arguments must be a JSON object");
+  auto document = parse_json(request.data.empty() ? "{}" : request.data, "");
+  if (!document || !document->is_object()) return fail("the arguments must be a JSON object");
+  nlohmann::json& arguments = *document;
   const LiveService& service = services_[request.service - 1];
   if (service.needs_lease && !lease_.renew(lease_in(arguments)))
     return fail("needs the driver's lease, which is missing or no longer valid");

@@ -35,6 +35,11 @@ Result<asio::ip::address> address_of(const LiveServerOptions& options) {
     return Problem{{"--token-file"}, fmt::format("the token must have at least {} characters", kTokenMin)};
   if (!address.is_loopback() && options.token.empty())
     return Problem{{"--listen"}, "an address that others can reach needs --token-file"};
+  for (const std::string& origin : options.origins) {
+    if (!is_origin(origin))
+      return Problem{{"--allow-origin"},
+                     fmt::format("'{}' is not an origin such as https://viewer.example", origin)};
+  }
   return address;
 }
 
@@ -59,9 +64,10 @@ class LiveServer::Engine {
         drive_(clock_),
         hub_(options_.name, options_.version, std::move(services), clock_, drive_,
              [this](std::function<void()> work) { asio::post(io_, std::move(work)); }),
-        server_context_{.hub = hub_,
-                        .authenticator = Authenticator(address.is_loopback(), options_.token),
-                        .request_handler = HttpRequestHandler(options_.folders, options_.version)},
+        server_context_{
+            .hub = hub_,
+            .authenticator = Authenticator(address.is_loopback(), options_.token, options_.origins),
+            .request_handler = HttpRequestHandler(options_.folders, options_.version)},
         acceptor_(io_) {}
 
   ~Engine() {

@@ -21,6 +21,23 @@ TEST(Authenticator, RefusesPagesOfOtherSites) {
     EXPECT_FALSE(kLocal.is_from_here({.host = "localhost:8765", .origin = origin})) << origin;
 }
 
+TEST(Authenticator, AcceptsPagesOfAllowedSitesAlone) {
+  const Authenticator allowing(true, "", {"https://viewer.example"});
+  EXPECT_TRUE(allowing.is_from_here({.host = "localhost:8765", .origin = "https://viewer.example"}));
+  for (const char* origin : {"http://viewer.example", "https://viewer.example:8443", "https://evil.example",
+                             "https://viewer.example.evil.example"})
+    EXPECT_FALSE(allowing.is_from_here({.host = "localhost:8765", .origin = origin})) << origin;
+  EXPECT_FALSE(allowing.is_from_here({.host = "evil.example", .origin = "https://viewer.example"}));
+}
+
+TEST(Authenticator, KnowsWhatAnOriginIs) {
+  EXPECT_TRUE(is_origin("https://viewer.example"));
+  EXPECT_TRUE(is_origin("http://localhost:8080"));
+  for (const char* text :
+       {"", "*", "https://", "viewer.example", "https://viewer.example/", "https://*.example"})
+    EXPECT_FALSE(is_origin(text)) << text;
+}
+
 TEST(Authenticator, RefusesForeignNamesThatPointHere) {
   EXPECT_FALSE(kLocal.is_from_here({.host = "evil.example:8765", .origin = "http://evil.example:8765"}));
   EXPECT_FALSE(kLocal.is_from_here({.host = ""}));

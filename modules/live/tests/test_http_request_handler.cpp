@@ -56,6 +56,29 @@ TEST_F(RequestHandler, ServesThePage) {
   EXPECT_EQ(get("/assets").status, 404);
 }
 
+TEST_F(RequestHandler, SendsThePageCompressedAndOnlyWhenItChanged) {
+  write("web/assets/a.js.gz", "compressed");
+  const HttpReply plain = get("/assets/a.js");
+  EXPECT_FALSE(plain.is_gzip);
+  EXPECT_TRUE(plain.is_for_ever);
+  const auto ask = [&](std::string_view target, std::string_view tags) {
+    return handler.answer({.method = "GET", .target = target, .takes_gzip = true, .known_tags = tags});
+  };
+  const HttpReply compressed = ask("/assets/a.js", "");
+  EXPECT_TRUE(compressed.is_gzip);
+  EXPECT_EQ(compressed.file->filename(), "a.js.gz");
+  EXPECT_EQ(compressed.media_type, "text/javascript; charset=utf-8");
+  EXPECT_NE(compressed.tag, plain.tag);
+  EXPECT_EQ(ask("/assets/a.js", compressed.tag).status, 304);
+  const HttpReply page = ask("/", compressed.tag);
+  EXPECT_EQ(page.status, 200);
+  EXPECT_FALSE(page.is_gzip);
+  EXPECT_FALSE(page.is_for_ever);
+  EXPECT_EQ(ask("/", "\"x\", " + page.tag).status, 304);
+  write("web/index.html", "<html> anew");
+  EXPECT_EQ(ask("/", page.tag).status, 200);
+}
+
 TEST_F(RequestHandler, SaysHowThePageIsBuiltWhereItIsNot) {
   const HttpRequestHandler bare({}, "1.2");
   const HttpReply reply = bare.answer({.method = "GET", .target = "/"});

@@ -15,6 +15,9 @@
 namespace aisle {
 namespace {
 
+/// How long the server stays after a watched mission, so that its clients hear how that ended.
+constexpr double kFarewell_s = 0.5;
+
 DriveOptions::KeyOperator hand_of(LiveControl& control) {
   return [&control](const VehicleDescription&, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
     return std::unique_ptr<Operator>(std::make_unique<LiveOperator>(control));
@@ -31,6 +34,7 @@ class LiveRun {
         watched_{control_, console.warn, &control_} {
     control_.state().world = options.world;
     control_.state().vehicle = options.connection.empty() ? options.vehicle : options.connection.string();
+    control_.state().keeps_buildings = !options.listening.buildings.empty();
   }
 
   /// Runs until it is interrupted. The setting itself can be wrong only the first time.
@@ -50,6 +54,7 @@ class LiveRun {
     state.mission.clear();
     state.session.clear();
     state.is_driven_by_hand = true;
+    control_.go_on();
     return work(live_idling(options_, control_.T_world_vehicle()));
   }
 
@@ -59,13 +64,13 @@ class LiveRun {
     state.mission = mission.name;
     state.session = mission.session;
     state.is_driven_by_hand = mission.is_driven_by_hand;
+    control_.begin();
     const auto outcome = work(mission);
     state.last = control_.was_stopped() ? live_end_stopped(mission.name) : live_end(mission.name, outcome);
   }
 
   /// Passes Interrupted on unless a client stopped the mission.
   Result<Outcome> work(const LiveMission& mission) {
-    control_.begin();
     try {
       return mission.work(watched_, hand_of(control_));
     } catch (const Interrupted&) {
@@ -86,6 +91,7 @@ class LiveRun {
     replay_.reset();
     state.replay = nullptr;
     control_.set_rate(options_.listening.rate);
+    control_.begin();  // the vehicle is not where the session ended
     if (!problems.empty()) state.last = live_end("replay", problems);
   }
 
@@ -155,7 +161,11 @@ Result<Outcome> run_watched(const LiveListening& listening, const std::string& v
   control.state().mission = verb;
   control.begin();
   Console watched{control, console.warn, &control};
-  return work(watched, hand_of(control));
+  auto outcome = work(watched, hand_of(control));
+  control.state().mode = "ended";
+  control.state().last = live_end(verb, outcome);
+  if ((*site)->server().clients() > 0) control.serve(kFarewell_s);
+  return outcome;
 }
 
 }  // namespace aisle

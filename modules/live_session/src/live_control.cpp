@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/map_messages.hpp"
@@ -42,6 +43,7 @@ std::vector<LiveService> control_services(ServiceMailbox& calls) {
                            "mission/mark", "mission/finish"})
     services.push_back({name, true, &calls});
   services.push_back({"mission/emergency_stop", false, &calls});
+  services.push_back({"mission/trail", false, &calls});
   return services;
 }
 
@@ -58,10 +60,21 @@ LiveControl::LiveControl(Progress& progress, LiveServer& server, ServiceMailbox&
 
 void LiveControl::begin() {
   server_.forget_latched();
+  trail_.begin();
+  begin_work();
+}
+
+void LiveControl::go_on() {
+  trail_.go_on();
+  begin_work();
+}
+
+void LiveControl::begin_work() {
   hand_.begin();
   pace_.rest();
   stamp_.reset();
-  shall_stop_ = was_stopped_ = false;
+  shall_end_ = shall_stop_ = was_stopped_ = false;
+  state_.map_origin = trail_.T_map_odom() ? pose_json(*trail_.T_map_odom()) : nlohmann::ordered_json();
   state_.is_paused = false;
   state_.stamp_s = 0;
   state_.task.clear();
@@ -74,6 +87,7 @@ void LiveControl::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::stri
   if (stamp_ != stamp) server_.take_time(stamp);
   stamp_ = stamp;
   server_.take(topic, stamp, cdr);
+  trail_.take(topic, cdr);
   if (topic.name == "/session") show_map(stamp, cdr);
 }
 
@@ -95,7 +109,7 @@ void LiveControl::report(std::string_view task, std::size_t done, std::size_t to
   const bool is_cycle = total == 0 && stamp_;
   if (is_cycle) keep_pace();
   serve(0);
-  while (state_.is_paused && !shall_stop_) {
+  while (state_.is_paused && !shall_stop_ && !shall_end_) {
     progress_.report(task, done, total);
     serve(kPausedPoll_s);
     pace_.rest();
@@ -129,10 +143,11 @@ void LiveControl::serve(double duration_s) {
 
 void LiveControl::tell_state() {
   state_.lease_is_held = server_.lease_is_held();
+  state_.distance_m = rounded(trail_.distance_m(), 2);
   std::string text = live_state_json(state_);
   const double now_s = clock_.now_s();
   LiveState still = state_;  // without what changes all the time
-  still.stamp_s = 0;
+  still.stamp_s = still.distance_m = 0;
   still.done = 0;
   std::string news = live_state_json(still);
   if (news == reported_ && now_s - reported_s_ < kStateEvery_s) return;
@@ -150,16 +165,16 @@ void LiveControl::stop_if_requested() {
 void LiveControl::handle(const ServiceCall& call) {
   const std::string& service = call.service();
   if (service == "mission/pause") {
-    state_.is_paused = true;
-    hand_.forget_command();
+    hold();
   } else if (service == "mission/resume") {
+    if (state_.is_emergency) return call.refuse("the emergency stop is not released");
     state_.is_paused = false;
   } else if (service == "mission/stop") {
-    shall_stop_ = state_.mode != "idle";
+    end(call.arguments().value("discard", nlohmann::json()) == true);
+  } else if (service == "mission/trail") {
+    return call.answer(trail_.json());
   } else if (service == "mission/emergency_stop") {
-    shall_stop_ = state_.mode != "idle";
-    state_.is_emergency = true;
-    hand_.hold(true);
+    emergency_stop();
   } else if (service == "mission/emergency_release") {
     state_.is_emergency = false;
     hand_.hold(false);
@@ -172,6 +187,32 @@ void LiveControl::handle(const ServiceCall& call) {
     return others_(call);
   }
   call.answer(nlohmann::ordered_json::object());
+}
+
+/// The vehicle stands where it is until a client resumes, drives by hand or ends the mission.
+void LiveControl::emergency_stop() {
+  state_.is_emergency = true;
+  hand_.hold(true);
+  if (state_.mode == "mission" && !state_.is_driven_by_hand) hold();
+}
+
+/// The mission's time stands still; a vehicle that hears nothing new stands still, too.
+void LiveControl::hold() {
+  if (state_.is_paused) return;
+  state_.is_paused = true;
+  hand_.forget_command();
+  static const SessionTopic command_topic{"/cmd_vel", ros::Twist::kType};
+  if (stamp_) server_.take(command_topic, *stamp_, cdr_bytes(ros::Twist{}));
+}
+
+void LiveControl::end(bool discards) {
+  if (state_.mode == "idle") return;
+  const bool can_keep = state_.mode == "mission" && stamp_;
+  if (discards || !can_keep) {
+    shall_stop_ = true;
+  } else {
+    shall_end_ = true;
+  }
 }
 
 void LiveControl::mark(const ServiceCall& call) {

@@ -12,6 +12,7 @@
 #include "live_hand.hpp"
 #include "live_pace.hpp"
 #include "live_state.hpp"
+#include "live_trail.hpp"
 
 namespace aisle {
 
@@ -33,17 +34,23 @@ class LiveControl final : public Progress, public MessageSink {
 
   LiveState& state() { return state_; }
   LiveHand& hand() { return hand_; }
+  LiveTrail& trail() { return trail_; }
 
   /// A mission begins: forgets what was shown of the previous one.
   void begin();
+  /// The vehicle waits where the last mission left it: what was shown stays, as does where it stands on the
+  /// map.
+  void go_on();
 
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) override;
   void take_truth(const Pose2& T_world_vehicle) override { T_world_vehicle_ = T_world_vehicle; }
 
-  /// Throws Interrupted if the mission must stop, by Ctrl-C or by a client.
+  /// Throws Interrupted if the work must stop, by Ctrl-C or by a client.
   void report(std::string_view task, std::size_t done, std::size_t total) override;
+  /// A client has ended the mission; it keeps what it has.
+  bool shall_end() const override { return shall_end_; }
 
-  /// Whether a client stopped the mission.
+  /// Whether a client stopped the work, so that nothing of it is kept.
   bool was_stopped() const { return was_stopped_; }
   /// Last true pose of the vehicle in the simulator.
   const std::optional<Pose2>& T_world_vehicle() const { return T_world_vehicle_; }
@@ -60,8 +67,12 @@ class LiveControl final : public Progress, public MessageSink {
  private:
   void show_map(ros::Stamp_ns stamp, std::string_view session_cdr);
   void handle(const ServiceCall& call);
+  void emergency_stop();
+  void end(bool discards);
+  void hold();
   void mark(const ServiceCall& call);
   void stop_if_requested();
+  void begin_work();
   void keep_pace();
 
   Progress& progress_;
@@ -75,6 +86,8 @@ class LiveControl final : public Progress, public MessageSink {
   std::optional<ros::Stamp_ns> stamp_;
   std::string reported_;
   double reported_s_ = -1;
+  LiveTrail trail_;
+  bool shall_end_ = false;
   bool shall_stop_ = false;
   bool was_stopped_ = false;
   std::optional<Pose2> T_world_vehicle_;

@@ -30,6 +30,7 @@ class Workbench {
     fs::rename(folder_ / "building.json", building_, error);
     if (error) return Problem{{building_.string()}, "cannot be written: " + error.message()};
     outcome->files = {{"building", building_.string()}};
+    outcome->text += fmt::format("kept as {}\n", building_.stem().string());
     return outcome;
   }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
 
 #include "aisle/formats/sessions/session_summary.hpp"
 #include "live_arguments.hpp"
@@ -10,6 +13,12 @@ namespace aisle {
 namespace {
 
 constexpr double kRateMin = 0.1, kRateMax = 20;
+
+constexpr ros::Stamp_ns kSoon = 1'000'000'000;
+
+bool is_truth(const SessionTopic& topic) {
+  return topic.name.starts_with("/truth");
+}
 
 double seconds_of(ros::Stamp_ns duration) {
   return static_cast<double>(duration) / 1e9;
@@ -35,6 +44,7 @@ Problems LiveReplay::open() {
   auto reader = SessionReader::open(session_);
   if (!reader) return reader.problems();
   reader_.emplace(std::move(*reader));
+  ahead_.clear();
   at_ = first_;
   has_ended_ = false;
   return {};
@@ -59,34 +69,71 @@ Problems LiveReplay::play() {
   return {};
 }
 
+Result<std::optional<LiveReplay::KeptMessage>> LiveReplay::next() {
+  if (!ahead_.empty()) {
+    std::optional<KeptMessage> first(std::move(ahead_.front()));
+    ahead_.pop_front();
+    return first;
+  }
+  const auto message = reader_->next();
+  if (!message) return message.problems();
+  if (!*message) return std::optional<KeptMessage>();
+  return std::optional(KeptMessage{(*message)->topic, (*message)->stamp, std::string((*message)->cdr)});
+}
+
 /// Shows one message; one that begins a cycle is shown when it is due.
 Result<bool> LiveReplay::show_next() {
-  const auto message = reader_->next();
+  const auto message = next();
   if (!message) return message.problems();
   if (!*message) return false;
   const auto& [topic, stamp, cdr] = **message;
   const bool begins_cycle = stamp != at_;
   at_ = stamp;
-  if (!topic.name.starts_with("/truth")) control_.take(topic, stamp, cdr);
+  if (!is_truth(topic)) control_.take(topic, stamp, cdr);
   if (begins_cycle) control_.report("replay", 0, 0);
   return true;
 }
 
-/// Jumps to a time, from the session's start if it lies behind; shows the latest message of every topic.
+/// Jumps to a time and shows what there was to be seen then.
 Problems LiveReplay::seek(double to_s) {
   const auto to = first_ + static_cast<ros::Stamp_ns>(
                                std::llround(std::clamp(to_s, 0.0, seconds_of(last_ - first_)) * 1e9));
   if (Problems problems = open(); !problems.empty()) return problems;
-  while (at_ < to) {
-    const auto message = reader_->next();
-    if (!message) return message.problems();
-    if (!*message) break;
-    const auto& [topic, stamp, cdr] = **message;
-    at_ = stamp;
-    if (topic.latched || stamp >= to) control_.take(topic, stamp, cdr);
-  }
+  control_.trail().begin();
+  const auto messages = messages_at(to);
+  if (!messages) return messages.problems();
+  for (const KeptMessage& message : *messages) control_.take(message.topic, message.stamp, message.cdr);
+  at_ = to;
   control_.rest();
   return {};
+}
+
+/// The latest message of every topic; where there is none so early, the first one soon after.
+Result<std::vector<LiveReplay::KeptMessage>> LiveReplay::messages_at(ros::Stamp_ns to) {
+  const auto topics = static_cast<std::size_t>(
+      std::count_if(reader_->topics().begin(), reader_->topics().end(), std::not_fn(is_truth)));
+  std::map<std::string, KeptMessage> shown;
+  while (shown.size() < topics || ahead_.empty()) {
+    auto message = reader_->next();
+    if (!message) return message.problems();
+    if (!*message || (*message)->stamp > to + kSoon) break;
+    const auto& [topic, stamp, cdr] = **message;
+    if (is_truth(topic)) continue;
+    KeptMessage kept{topic, stamp, std::string(cdr)};
+    if (stamp > to) {
+      shown.try_emplace(topic.name, kept);
+      ahead_.push_back(std::move(kept));
+    } else {
+      control_.trail().take(topic, cdr);
+      shown.insert_or_assign(topic.name, std::move(kept));
+    }
+  }
+  std::vector<KeptMessage> messages;
+  messages.reserve(shown.size());
+  for (auto& [name, message] : shown) messages.push_back(std::move(message));
+  std::stable_sort(messages.begin(), messages.end(),
+                   [](const KeptMessage& a, const KeptMessage& b) { return a.stamp < b.stamp; });
+  return messages;
 }
 
 void LiveReplay::tell(double at_s) {

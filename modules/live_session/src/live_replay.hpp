@@ -1,7 +1,10 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "aisle/formats/sessions/session_reader.hpp"
 #include "live_control.hpp"
@@ -22,7 +25,15 @@ class LiveReplay {
   void take_call(const ServiceCall& call);
 
  private:
+  struct KeptMessage {
+    SessionTopic topic;
+    ros::Stamp_ns stamp = 0;
+    std::string cdr;
+  };
+
   Problems open();
+  Result<std::vector<KeptMessage>> messages_at(ros::Stamp_ns to);
+  Result<std::optional<KeptMessage>> next();
   Problems play();
   Problems seek(double to_s);
   Result<bool> show_next();
@@ -31,6 +42,7 @@ class LiveReplay {
   std::filesystem::path session_;
   LiveControl& control_;
   std::optional<SessionReader> reader_;
+  std::deque<KeptMessage> ahead_;  ///< read already, not yet played
   ros::Stamp_ns first_ = 0, last_ = 0, at_ = 0;
   bool is_playing_ = true;
   bool has_ended_ = false;

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "aisle/commands/sessions/session_info.hpp"
-#include "aisle/formats/sessions/session_cycles.hpp"
-#include "aisle/formats/sessions/session_summary.hpp"
 #include "live_arguments.hpp"
 #include "live_maze.hpp"
 
@@ -28,29 +26,6 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
     entries.push_back(at->path());
   std::sort(entries.begin(), entries.end());
   return entries;
-}
-
-OrderedJson session_row(const fs::path& session, const SessionSummary& summary) {
-  OrderedJson row = {{"name", session.filename().string()},
-                     {"duration_s", summary.duration_s()},
-                     {"messages", summary.messages},
-                     {"bytes", summary.file_bytes}};
-  if (const auto cycles = SessionCycles::open(session)) {
-    row["navigator"] = cycles->origin().navigator;
-    row["simulated"] = cycles->origin().simulated;
-    row["route"] = cycles->origin().route;
-  }
-  return row;
-}
-
-OrderedJson session_list(const fs::path& folder) {
-  OrderedJson rows = OrderedJson::array();
-  std::error_code error;
-  for (const fs::path& session : sorted_entries(folder)) {
-    if (!fs::exists(session / "metadata.yaml", error)) continue;
-    if (const auto summary = summarise_session(session)) rows.push_back(session_row(session, *summary));
-  }
-  return {{"sessions", std::move(rows)}};
 }
 
 OrderedJson building_list(const fs::path& folder) {
@@ -95,7 +70,10 @@ Result<fs::path> session_named(const fs::path& sessions, const nlohmann::json& a
 }
 
 LiveRequestHandler::LiveRequestHandler(Folders folders, ServiceMailbox& calls)
-    : folders_(std::move(folders)), calls_(calls), thread_([this](const std::stop_token& stop) {
+    : folders_(std::move(folders)),
+      index_(folders_.sessions),
+      calls_(calls),
+      thread_([this](const std::stop_token& stop) {
         while (!stop.stop_requested()) {
           const auto call = calls_.wait(std::chrono::seconds(1));
           if (!call) continue;
@@ -109,10 +87,10 @@ LiveRequestHandler::~LiveRequestHandler() {
   calls_.close();
 }
 
-Result<OrderedJson> LiveRequestHandler::answer(const ServiceCall& call) const {
+Result<OrderedJson> LiveRequestHandler::answer(const ServiceCall& call) {
   const std::string& service = call.service();
   if (service == "maze/run") return maze_steps(call.arguments());
-  if (service == "sessions/list") return session_list(folders_.sessions);
+  if (service == "sessions/list") return OrderedJson{{"sessions", index_.rows()}};
   if (service == "sessions/info") return session_figures(folders_.sessions, call.arguments());
   return building_list(folders_.buildings);
 }

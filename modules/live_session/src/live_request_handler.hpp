@@ -7,6 +7,7 @@
 
 #include "aisle/core/result.hpp"
 #include "aisle/live/service_call.hpp"
+#include "session_index.hpp"
 
 namespace aisle {
 
@@ -32,9 +33,10 @@ class LiveRequestHandler {
   LiveRequestHandler& operator=(const LiveRequestHandler&) = delete;
 
  private:
-  Result<nlohmann::ordered_json> answer(const ServiceCall& call) const;
+  Result<nlohmann::ordered_json> answer(const ServiceCall& call);
 
   Folders folders_;
+  SessionIndex index_;
   ServiceMailbox& calls_;
   std::jthread thread_;
 };

@@ -24,6 +24,7 @@ Result<LiveServerOptions> server_options(const LiveListening& listening) {
   LiveServerOptions options{.address = listening.address,
                             .port = listening.port,
                             .token = {},
+                            .origins = listening.origins,
                             .tls = listening.tls,
                             .version = listening.version,
                             .folders = {.web = listening.web.empty() ? shipped_page() : listening.web,

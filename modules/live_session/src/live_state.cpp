@@ -1,9 +1,43 @@
 #include "live_state.hpp"
 
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+
 namespace aisle {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
+
+/// The problem without the server's folders, which say nothing to clients.
+std::string told(Problem problem) {
+  problem.where.file = std::filesystem::path(problem.where.file).filename().string();
+  return to_string(problem);
+}
+
+/// The word, or the last part of a path of the server.
+std::string told_word(const std::string& word) {
+  const std::size_t end = word.find_last_not_of(".,;:");
+  if (end == std::string::npos || word.find('/') == std::string::npos) return word;
+  const std::filesystem::path path = word.substr(0, end + 1);
+  std::error_code error;
+  const bool is_path = path.is_absolute() || std::filesystem::exists(path, error);
+  return is_path ? path.filename().string() + word.substr(end + 1) : word;
+}
+
+/// An outcome's text without the server's folders, and without the lines that say which file to see.
+std::string told(const std::string& text) {
+  std::string lines;
+  std::istringstream all(text);
+  for (std::string line; std::getline(all, line);) {
+    if (line.starts_with("see ")) continue;
+    std::istringstream words(line);
+    std::string said;
+    for (std::string word; words >> word;) said += (said.empty() ? "" : " ") + told_word(word);
+    lines += said + "\n";
+  }
+  return lines;
+}
 
 }  // namespace
 
@@ -17,11 +51,14 @@ std::string live_state_json(const LiveState& state) {
                       {"driven_by_hand", state.is_driven_by_hand},
                       {"lease_held", state.lease_is_held},
                       {"stamp_s", state.stamp_s},
+                      {"distance_m", state.distance_m},
                       {"rate", state.rate},
                       {"task", state.task},
                       {"done", state.done},
                       {"total", state.total},
-                      {"session", state.session}};
+                      {"session", state.session},
+                      {"keeps_buildings", state.keeps_buildings}};
+  if (!state.map_origin.is_null()) json["map_origin"] = state.map_origin;
   if (!state.replay.is_null()) json["replay"] = state.replay;
   if (!state.last.is_null()) json["last"] = state.last;
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
@@ -30,11 +67,11 @@ std::string live_state_json(const LiveState& state) {
 OrderedJson live_end(const std::string& mission, const Result<Outcome>& outcome) {
   OrderedJson problems = OrderedJson::array();
   if (!outcome) {
-    for (const Problem& problem : outcome.problems()) problems.push_back(to_string(problem));
+    for (const Problem& problem : outcome.problems()) problems.push_back(told(problem));
   }
   return {{"mission", mission},
           {"ok", outcome.ok() && outcome->ok},
-          {"text", outcome ? outcome->text : ""},
+          {"text", outcome ? told(outcome->text) : ""},
           {"figures", outcome ? outcome->figures : OrderedJson::object()},
           {"problems", std::move(problems)}};
 }

@@ -18,13 +18,16 @@ struct LiveState {
   bool is_driven_by_hand = false;
   bool lease_is_held = false;
   double stamp_s = 0;
+  double distance_m = 0;
   double rate = 1;
   std::string task;
   std::size_t done = 0;
   std::size_t total = 0;
   std::string session;
-  nlohmann::ordered_json replay;  ///< null: none
-  nlohmann::ordered_json last;    ///< null: none
+  bool keeps_buildings = false;       ///< there is a folder for what missions learn
+  nlohmann::ordered_json map_origin;  ///< null: the map is the mission's own
+  nlohmann::ordered_json replay;      ///< null: none
+  nlohmann::ordered_json last;        ///< null: none
 };
 
 std::string live_state_json(const LiveState& state);

@@ -5,6 +5,7 @@
 #include "live_maze.hpp"
 #include "live_missions.hpp"
 #include "live_pace.hpp"
+#include "live_state.hpp"
 
 namespace aisle {
 namespace {
@@ -50,6 +51,14 @@ TEST(LiveArgumentsRead, ReportsAllProblems) {
   const std::string problems = to_string(arguments.problems());
   for (const char* key : {"name:", "count:", "flag:", "text:", "session: is missing", "more: is not known"})
     EXPECT_THAT(problems, HasSubstr(key));
+}
+
+TEST(LiveEnd, NamesNoFolderOfTheServer) {
+  Outcome outcome{.verb = "drive"};
+  outcome.text = "0.3 m/s; session in /srv/robot/sessions/run-1.\nsee /srv/robot/report.html\n";
+  EXPECT_EQ(live_end("drive", outcome)["text"], "0.3 m/s; session in run-1.\n");
+  const auto failed = live_end("go", Problem{{"/srv/robot/buildings/lab.json", 3, "floor"}, "is missing"});
+  EXPECT_EQ(failed["problems"][0], "lab.json:3: floor: is missing");
 }
 
 class LiveMissions : public testing::Test {

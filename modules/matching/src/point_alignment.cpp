@@ -14,6 +14,8 @@
 namespace aisle {
 namespace {
 
+constexpr double kSearchFar_m =
+    100;  ///< what is seen beyond does not count in a search: its memory is bounded
 constexpr double kThinned_m = 0.02;  // points nearer to one another add nothing
 constexpr double kChord_m = 0.12;    // a normal is that of a chord at least this long ...
 constexpr std::size_t kChordReach =
@@ -206,7 +208,7 @@ SurfaceFit fit_surface_far(std::span<const SurfacePoint> surface, const SurfaceM
   };
   double farthest_m = 0;
   for (const SurfacePoint& point : surface) farthest_m = std::max(farthest_m, point.p.norm());
-  const NearCells near_cells(map, guess.position(), farthest_m + reach.position_m);
+  const NearCells near_cells(map, guess.position(), std::min(farthest_m, kSearchFar_m) + reach.position_m);
   std::vector<Candidate> best;
   std::vector<Vec2> turned;
   const std::size_t stride = stride_for(surface.size(), kSearchPoints);

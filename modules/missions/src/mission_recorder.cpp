@@ -61,11 +61,12 @@ void MissionRecorder::show_floor(const FloorGrid& floor) {
 }
 
 Result<std::optional<SessionRecord>> open_session(const std::filesystem::path& out, bool force,
-                                                  const Vehicle& vehicle, const TruthSource* truth,
-                                                  SessionOrigin origin, MessageSink* watcher) {
+                                                  SessionStorage storage, const Vehicle& vehicle,
+                                                  const TruthSource* truth, SessionOrigin origin,
+                                                  MessageSink* watcher) {
   origin.simulated = is_simulated(truth);
   if (out.empty()) return show_session(vehicle.description(), origin, watcher);
-  auto record = SessionRecord::create(out, force, vehicle.description(), origin);
+  auto record = SessionRecord::create(out, force, vehicle.description(), origin, {}, storage);
   if (!record) return record.problems();
   if (watcher != nullptr) record->show_to(*watcher);
   return std::optional<SessionRecord>(std::move(*record));

@@ -1,12 +1,15 @@
 #include "aisle/trials/trial.hpp"
 
-#include <string_view>
+#include <fmt/format.h>
 
-#include "aisle/commands/method.hpp"
+#include <string_view>
+#include <vector>
+
 #include "aisle/commands/method_params.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "exploration/exploration_trial.hpp"
 #include "landmarks/landmark_trial.hpp"
+#include "localisation/localisation_trial.hpp"
 #include "rooms/room_trial.hpp"
 #include "sections/section_trial.hpp"
 
@@ -45,7 +48,8 @@ constexpr TrialMethod kTrialMethods[] = {
     {"route", with_params<trial_by_route, &TrialParams::route>},
     {"turnings", with_params<trial_of_turnings, &TrialParams::route>},
     {"park", with_params<trial_of_parking, &TrialParams::route>},
-    {"explore", run_exploration_trial}};
+    {"explore", run_exploration_trial},
+    {"localise", run_localisation_trial}};
 
 }  // namespace
 
@@ -58,7 +62,9 @@ Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   for (const TrialMethod& trial : kTrialMethods) {
     if (trial.name == options.method) return trial.run(options, console);
   }
-  return method_named(options.method).problems();
+  std::vector<std::string_view> names;
+  for (const TrialMethod& trial : kTrialMethods) names.push_back(trial.name);
+  return Problem{{"METHOD"}, fmt::format("'{}' is none of {}", options.method, fmt::join(names, ", "))};
 }
 
 }  // namespace aisle

@@ -12,7 +12,7 @@ class Impatient final : public Progress {
     EXPECT_EQ(task, "missions");
     EXPECT_EQ(done, 0);
     EXPECT_EQ(total, 3);
-    if (++reports_ == 10) throw Interrupted();
+    if (++reports_ == 3) throw Interrupted();
   }
 
  private:
@@ -26,7 +26,11 @@ TEST(Trial, IsInterruptedInTheMiddleOfAMission) {
     options.last_seed = 3;
     Impatient progress;
     Console console{progress, [](const std::string&) {}};
-    EXPECT_THROW((void)run_trial(options, console), Interrupted) << method;
+    const auto outcome = run_trial(options, console);
+    ASSERT_TRUE(outcome.ok()) << method;
+    EXPECT_FALSE(outcome->ok) << method;
+    EXPECT_EQ(outcome->figures["interrupted"], true) << method;
+    EXPECT_EQ(outcome->figures["runs"].size(), 0U) << method;
   }
 }
 

@@ -130,6 +130,45 @@ struct JointState {
   static auto fields(auto& m) { return std::tie(m.header, m.name, m.position, m.velocity, m.effort); }
 };
 
+struct PoseStamped {
+  static constexpr const char* kType = "geometry_msgs/msg/PoseStamped";
+  Header header;
+  Pose pose;
+
+  static auto fields(auto& m) { return std::tie(m.header, m.pose); }
+};
+
+struct PoseWithCovarianceStamped {
+  static constexpr const char* kType = "geometry_msgs/msg/PoseWithCovarianceStamped";
+  Header header;
+  Pose pose;
+  std::array<double, 36> covariance{};
+
+  static auto fields(auto& m) { return std::tie(m.header, m.pose, m.covariance); }
+};
+
+struct KeyValue {
+  std::string key, value;
+
+  static auto fields(auto& m) { return std::tie(m.key, m.value); }
+};
+
+struct DiagnosticStatus {
+  std::uint8_t level = 0;
+  std::string name, message, hardware_id;
+  std::vector<KeyValue> values;
+
+  static auto fields(auto& m) { return std::tie(m.level, m.name, m.message, m.hardware_id, m.values); }
+};
+
+struct DiagnosticArray {
+  static constexpr const char* kType = "diagnostic_msgs/msg/DiagnosticArray";
+  Header header;
+  std::vector<DiagnosticStatus> status;
+
+  static auto fields(auto& m) { return std::tie(m.header, m.status); }
+};
+
 struct LaserScan {
   static constexpr const char* kType = "sensor_msgs/msg/LaserScan";
   Header header;

@@ -19,6 +19,7 @@ constexpr const char* kLoopbackOnly = R"(<CycloneDDS><Domain>
     <ParticipantIndex>auto</ParticipantIndex>
     <MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>
     <Peers><Peer address="127.0.0.1"/></Peers>
+    <LeaseDuration>%us</LeaseDuration>
   </Discovery>
   <Internal><SocketReceiveBufferSize min="default" max="4MB"/></Internal>
 </Domain></CycloneDDS>)";
@@ -56,9 +57,11 @@ dds_entity_t topic_of(dds_entity_t participant, const std::string& topic, const 
 
 }  // namespace
 
-Participant::Participant(unsigned domain) {
-  // Refused if this process has already opened the domain, with the same settings.
-  dds_create_domain(domain, kLoopbackOnly);
+Participant::Participant(unsigned domain, unsigned lease_s) {
+  std::string settings = kLoopbackOnly;
+  settings.replace(settings.find("%u"), 2, std::to_string(lease_s));
+  // Refused if this process has already opened the domain, whose settings then remain.
+  dds_create_domain(domain, settings.c_str());
   const Qos qos(dds_create_qos(), dds_delete_qos);
   dds_qset_userdata(qos.get(), "enclave=/;", 10);
   entity_ = created(dds_create_participant(domain, qos.get(), nullptr), "DDS participant");

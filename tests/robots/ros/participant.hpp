@@ -21,7 +21,8 @@ enum class Quality {
 class Participant {
  public:
   /// @param domain ROS_DOMAIN_ID, 0 to 101
-  explicit Participant(unsigned domain);
+  /// @param lease_s  others miss it so long after it has ended
+  explicit Participant(unsigned domain, unsigned lease_s = 10);
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;

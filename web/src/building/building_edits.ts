@@ -48,6 +48,13 @@ export function nearest_part(building: Building, at: Point, within_m: number): F
   );
 }
 
+/** The end points of a wall or line, or where a landmark is. */
+export function part_points(building: Building, { list, index }: FoundPart): Point[] {
+  const part = building[list]?.[index];
+  if (!part) return [];
+  return "at_m" in part ? [point_of(part.at_m)] : [point_of(part.start_m), point_of(part.end_m)];
+}
+
 export function without_part(building: Building, { list, index }: FoundPart): Building {
   return { ...building, [list]: (building[list] ?? []).filter((_, at) => at !== index) };
 }

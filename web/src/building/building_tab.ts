@@ -1,4 +1,6 @@
 import type { App, Tab } from "../page/app";
+import { text } from "../text";
+import { watch_undo_keys } from "../page/undo_keys";
 import { button, element, panel, set_text, select } from "../page/element";
 import { post_text } from "../page/server_files";
 import { UndoList } from "../page/undo_list";
@@ -13,30 +15,31 @@ import { BuildingTools, tool_labels } from "./building_tools";
 import type { ToolName } from "./building_tools";
 
 /** The contents of a building in words. */
-function summary({ walls, landmarks, routes, places, barriers, floor }: Building): string {
-  const count = (parts: unknown[] | undefined, one: string, many: string) =>
-    parts?.length ? `${parts.length} ${parts.length === 1 ? one : many}` : "";
-  const known = [
-    count(walls, "wall", "walls"),
-    count(landmarks, "landmark", "landmarks"),
-    count(routes, "route", "routes"),
-    count(places, "place", "places"),
-    count(barriers, "drawn line", "drawn lines"),
-    floor ? "floor" : "",
-  ].filter(Boolean);
-  return known.join(", ") || "nothing yet";
+function summary(building: Building): string {
+  const known = Object.entries(text.building.counted).flatMap(([key, [one, many]]) => {
+    const count = (building[key as keyof Building] as unknown[] | undefined)?.length ?? 0;
+    return count === 0 ? [] : [`${count} ${count === 1 ? one : many}`];
+  });
+  if (building.floor) known.push(text.building.floor);
+  return known.join(", ") || text.building.nothing;
 }
 
-/** Shows a building and edits it; saving makes a new version. */
+/**
+ * Shows a building and edits it; saving makes a new version. What is not saved stays when another building or tab is
+ * chosen, is marked, and is not lost on leaving the page without a question.
+ */
 export function building_tab(app: App): Tab {
   const store = new BuildingStore(app);
-  const canvas = new PlanCanvas("Plan of the building");
+  const words = text.building;
+  const canvas = new PlanCanvas(words.plan);
   canvas.hide_follow();
+  const histories = new Map<string, UndoList<Building>>();
   let history: UndoList<Building> | undefined;
 
   const tools = new BuildingTools(canvas, {
     building: () => history?.present,
     edit: (change) => edit(change),
+    marked: (part) => set_text(hint, part ? words.again(words.parts[part.list]) : tool_hint),
     pick_place: () => {
       naming.hidden = false;
       name.focus();
@@ -60,10 +63,10 @@ export function building_tab(app: App): Tab {
     type: "text",
     maxlength: 200,
     autocomplete: "off",
-    "aria-label": "Name of the place",
+    "aria-label": words.name,
   });
   const heading = element("input", { type: "number", min: -360, max: 360, step: 5, value: 0, class: "size" });
-  heading.setAttribute("aria-label", "Heading in degrees");
+  heading.setAttribute("aria-label", words.heading);
   const put_place = () => {
     const at = tools.place;
     if (!at || !edit((building) => with_place(building, name.value.trim(), at, Number(heading.value))))
@@ -85,26 +88,34 @@ export function building_tab(app: App): Tab {
     },
     name,
     element("label", { class: "tick" }, heading, element("span", {}, "°")),
-    element("button", { type: "submit", class: "primary" }, "Name it"),
+    element("button", { type: "submit", class: "primary" }, words.name_it),
   );
   const places = element("ul", { class: "places" });
 
-  const building_list = select("Building", [], (chosen) => void app.notices.attempt(store.choose(chosen)));
-  const tool_list = select("Tool", tool_labels, (tool) => {
+  const building_list = select(
+    words.building,
+    [],
+    (chosen) => void app.notices.attempt(store.choose(chosen)),
+  );
+  const tool_list = select(words.tool, tool_labels, (tool) => {
     naming.hidden = true;
     tools.choose(tool as ToolName);
-    set_text(hint, tool_labels.find(({ value }) => value === tool)?.hint ?? "");
+    tool_hint = tool_labels.find(({ value }) => value === tool)?.hint ?? "";
+    set_text(hint, tool_hint);
   });
-  set_text(hint, tool_labels[0]?.hint ?? "");
-  const undo = button("Undo", () => {
-    history?.undo();
+  let tool_hint = tool_labels[0]?.hint ?? "";
+  set_text(hint, tool_hint);
+  const step = (by: "undo" | "redo") => {
+    history?.[by]();
     show();
+  };
+  const undo = button(words.undo, () => step("undo"), { "aria-keyshortcuts": "Control+Z" });
+  const redo = button(words.redo, () => step("redo"), { "aria-keyshortcuts": "Control+Shift+Z Control+Y" });
+  watch_undo_keys(() => app.tab.value === "building", step);
+  addEventListener("beforeunload", (event) => {
+    if ([...histories.values()].some(({ can_undo }) => can_undo)) event.preventDefault();
   });
-  const redo = button("Redo", () => {
-    history?.redo();
-    show();
-  });
-  const save = button("Save as a new version", () => void save_version(), { class: "primary" });
+  const save = button(words.save, () => void save_version(), { class: "primary" });
   const save_version = async () => {
     if (!history) return;
     const text = JSON.stringify(history.present);
@@ -115,7 +126,8 @@ export function building_tab(app: App): Tab {
       );
     if (!(await app.notices.attempt(stored))) return;
     const { building } = await stored;
-    app.notices.show(`Saved as ${building}`);
+    histories.delete(store.chosen.value);
+    app.notices.show(words.saved(building));
     await app.notices.attempt(store.refresh().then(() => store.choose(building)));
   };
 
@@ -127,10 +139,8 @@ export function building_tab(app: App): Tab {
     undo.disabled = !history?.can_undo;
     redo.disabled = !history?.can_redo;
     save.disabled = !history?.can_undo;
-    set_text(
-      about,
-      building ? summary(building) : "No building yet: explore one, or teach and learn a route.",
-    );
+    name_buildings();
+    set_text(about, building ? summary(building) : words.none);
     places.replaceChildren(...(building?.places ?? []).map((place) => place_line(place.name)));
     canvas.redraw();
   };
@@ -139,18 +149,27 @@ export function building_tab(app: App): Tab {
       "li",
       {},
       element("span", {}, place),
-      button("Delete", () => void edit((building) => without_place(building, place)), {
-        "aria-label": `Delete the place ${place}`,
+      button(words.remove, () => void edit((building) => without_place(building, place)), {
+        "aria-label": words.remove_place(place),
       }),
     );
 
+  const name_buildings = () => {
+    for (const option of building_list.list.options) {
+      const is_unsaved = histories.get(option.value)?.can_undo ?? false;
+      set_text(option, is_unsaved ? words.unsaved(option.value) : option.value);
+    }
+  };
   store.names.watch((names) => {
     building_list.list.replaceChildren(...names.map((value) => element("option", { value }, value)));
     building_list.list.value = store.chosen.value;
+    name_buildings();
   });
   store.chosen.watch((chosen) => (building_list.list.value = chosen));
   store.building.watch((building) => {
-    history = building && new UndoList(building);
+    const name_of = store.chosen.value;
+    history = building && (histories.get(name_of) ?? new UndoList(building));
+    if (history) histories.set(name_of, history);
     canvas.refit();
     show();
   });
@@ -158,9 +177,9 @@ export function building_tab(app: App): Tab {
   const tab = element(
     "div",
     { class: "tab building-tab" },
-    panel("Plan", "building-plan", canvas.element),
+    panel(words.plan, "building-plan", canvas.element),
     panel(
-      "Edit",
+      words.title,
       "building-tools",
       building_list.field,
       about,
@@ -168,9 +187,9 @@ export function building_tab(app: App): Tab {
       hint,
       naming,
       element("div", { class: "buttons" }, undo, redo, save),
-      element("h3", {}, "Places"),
+      element("h3", {}, words.places),
       places,
     ),
   );
-  return { name: "building", title: "Building", element: tab };
+  return { name: "building", title: text.tabs.building, element: tab };
 }

@@ -1,37 +1,22 @@
 import { colour } from "../page/theme";
+import { text } from "../text";
 import { draw_dots, draw_line } from "../plan/draw";
 import type { Point } from "../plan/geometry";
 import type { Layer, PlanCanvas, PlanTool } from "../plan/plan_canvas";
-import { nearest_part, with_barrier, with_cleared, without_part } from "./building_edits";
+import { nearest_part, part_points, with_barrier, with_cleared, without_part } from "./building_edits";
+import type { FoundPart } from "./building_edits";
 import type { Building } from "./building_file";
 
 export type ToolName = "look" | "place" | "delete" | "keep_out" | "glass" | "clear";
 
-export const tool_labels: { value: ToolName; label: string; hint: string }[] = [
-  { value: "look", label: "Look", hint: "Drag to move the plan, scroll or pinch to zoom." },
-  { value: "place", label: "Name a place", hint: "Click its position, then name it." },
-  {
-    value: "delete",
-    label: "Delete",
-    hint: "Click what is not really there: a wall, a landmark or a drawn line.",
-  },
-  { value: "keep_out", label: "Keep-out line", hint: "Drag a line: the vehicle does not cross it." },
-  {
-    value: "glass",
-    label: "Glass",
-    hint: "Drag along a pane that the sensors do not see: the vehicle does not drive into it.",
-  },
-  {
-    value: "clear",
-    label: "Clear the floor",
-    hint: "Drag over floor that is marked as occupied but is free.",
-  },
-];
+export const tool_labels = Object.entries(text.building.tools).map(([value, words]) => ({ value, ...words }));
 
 const near_px = 12;
 
 interface Editing {
   building(): Building | undefined;
+  /** What a second click will delete, or nothing. */
+  marked(part: FoundPart | undefined): void;
   /** Applies the change as a new version; an error that it throws is shown as a notice. */
   edit(change: (building: Building) => Building): void;
   pick_place(at: Point): void;
@@ -51,6 +36,8 @@ export class BuildingTools {
   /** Position of the place that is about to be named. */
   place: Point | undefined;
   #line: [Point, Point] | undefined;
+  /** What is about to be deleted. */
+  #marked: FoundPart | undefined;
 
   constructor(
     private readonly canvas: PlanCanvas,
@@ -58,12 +45,18 @@ export class BuildingTools {
   ) {
     this.layer = (context, view) => {
       if (this.#line) draw_line(context, view, this.#line, { colour: colour("trouble"), width_px: 3 });
+      const building = this.#marked && this.editing.building();
+      const points = building && this.#marked ? part_points(building, this.#marked) : [];
+      draw_line(context, view, points, { colour: colour("trouble"), width_px: 7 });
+      draw_dots(context, view, points, colour("trouble"), 6);
       if (this.place) draw_dots(context, view, [this.place], colour("path"), 6);
     };
   }
 
   choose(name: ToolName): void {
     this.place = undefined;
+    this.#line = undefined;
+    this.#mark(undefined);
     this.canvas.tool = this.#tool(name);
     this.canvas.redraw();
   }
@@ -79,7 +72,11 @@ export class BuildingTools {
         },
       };
     }
-    if (name === "delete") return { click: (at) => this.#delete(at) };
+    if (name === "delete")
+      return {
+        click: (at) => this.#delete(at),
+        hover: (at) => this.#mark(at && this.#found(at)),
+      };
     const edit = line_edits[name];
     return {
       drag: (from, to, ended) => {
@@ -87,13 +84,30 @@ export class BuildingTools {
         if (ended) this.editing.edit((building) => edit(building, from, to));
         this.canvas.redraw();
       },
+      cancel: () => {
+        this.#line = undefined;
+        this.canvas.redraw();
+      },
     };
   }
 
-  #delete(at: Point): void {
+  #found(at: Point): FoundPart | undefined {
     const building = this.editing.building();
-    const within_m = near_px / this.canvas.view.scale_px_per_m;
-    const found = building && nearest_part(building, at, within_m);
-    if (found) this.editing.edit((present) => without_part(present, found));
+    return building && nearest_part(building, at, near_px / this.canvas.view.scale_px_per_m);
+  }
+
+  #mark(part: FoundPart | undefined): void {
+    if (part?.list === this.#marked?.list && part?.index === this.#marked?.index) return;
+    this.#marked = part;
+    this.editing.marked(part);
+    this.canvas.redraw();
+  }
+
+  /** Deletes what is marked; where nothing is, as under a finger, marks it first. */
+  #delete(at: Point): void {
+    const found = this.#found(at);
+    const is_marked = found && found.list === this.#marked?.list && found.index === this.#marked.index;
+    this.#mark(is_marked ? undefined : found);
+    if (is_marked) this.editing.edit((present) => without_part(present, found));
   }
 }

@@ -1,6 +1,8 @@
 import type { LiveConnection } from "../connection/live_connection";
 import { json_of } from "../connection/live_state";
 import type { CompressedImage, Image } from "../connection/messages";
+import { Age } from "../page/age";
+import { text } from "../text";
 import { element, set_text, select, tick } from "../page/element";
 import { colour_of, draw_overlay, kinds_of } from "./overlay";
 import type { Overlay } from "./overlay";
@@ -15,10 +17,12 @@ const topic_form = /^\/camera\/([^/]+)\/image_raw(\/compressed)?$/;
 /** A camera's newest image, overlaid with what the navigator detected in it. */
 export class CameraView {
   readonly element: HTMLElement;
-  readonly #canvas = element("canvas", { role: "img", "aria-label": "Camera image" });
-  readonly #empty = element("p", { class: "empty" }, "No image yet");
-  readonly #toggles = element("div", { class: "toggles", role: "group", "aria-label": "Overlays" });
-  readonly #chooser = select("Camera", [], (name) => {
+  readonly #canvas = element("canvas", { role: "img", "aria-label": text.camera.image });
+  readonly #empty = element("p", { class: "empty" }, text.camera.none);
+  readonly #old = element("p", { class: "age", hidden: true });
+  readonly #age: Age;
+  readonly #toggles = element("div", { class: "toggles", role: "group", "aria-label": "Lines" });
+  readonly #chooser = select(text.camera.chooser, [], (name) => {
     this.#is_picked = true;
     this.#choose(name);
   });
@@ -33,12 +37,22 @@ export class CameraView {
   #is_decoding = false;
   #waiting: (() => Promise<CameraImage>) | undefined;
 
-  constructor(private readonly connection: LiveConnection) {
+  /** @param stands whether an image stays true without newer ones, as in a replay that is paused */
+  constructor(
+    private readonly connection: LiveConnection,
+    stands: () => boolean,
+  ) {
     this.#chooser.field.hidden = true;
+    const frame = element("div", { class: "camera-image" }, this.#canvas, this.#empty, this.#old);
+    frame.addEventListener("dblclick", () => {
+      if (document.fullscreenElement) void document.exitFullscreen();
+      else void frame.requestFullscreen();
+    });
+    this.#age = new Age(frame, this.#old, stands, text.camera.old);
     this.element = element(
       "div",
       { class: "camera" },
-      element("div", { class: "camera-image" }, this.#canvas, this.#empty),
+      frame,
       element("div", { class: "camera-bar" }, this.#chooser.field, this.#toggles),
     );
     connection.channels.watch(() => this.#offer_cameras());
@@ -62,6 +76,7 @@ export class CameraView {
     this.#camera = name;
     this.#image = undefined;
     this.#overlay = undefined;
+    this.#age.forget();
     this.#ends = [
       this.connection.listen(`/camera/${name}/image_raw/compressed`, (message) =>
         this.#take(() => decode_compressed(message as CompressedImage)),
@@ -87,9 +102,10 @@ export class CameraView {
       this.#waiting = undefined;
       try {
         this.#image = await decode();
+        this.#age.renew();
         this.#draw();
       } catch {
-        set_text(this.#empty, "An image could not be read");
+        set_text(this.#empty, text.camera.unreadable);
         this.#empty.hidden = false;
       }
     }

@@ -3,7 +3,8 @@ import { Signal } from "../page/signal";
 
 /** What the server is doing: the JSON of /live/state. */
 export interface LiveState {
-  mode: "idle" | "mission" | "work" | "replay";
+  /** `ended`: the watched mission is over, and its program will be gone. */
+  mode: "idle" | "mission" | "work" | "replay" | "ended";
   mission: string;
   world: string;
   vehicle: string;
@@ -12,11 +13,17 @@ export interface LiveState {
   driven_by_hand: boolean;
   lease_held: boolean;
   stamp_s: number;
+  /** Driven on the map that is shown. */
+  distance_m?: number;
+  /** Where the odometry of the waiting vehicle began on the map of the last mission. */
+  map_origin?: { x_m: number; y_m: number; heading_deg: number };
   rate: number;
   task: string;
   done: number;
   total: number;
   session: string;
+  /** There is a folder for what missions learn. */
+  keeps_buildings?: boolean;
   last?: { mission: string; ok: boolean; text: string; problems: string[] };
   replay?: { session: string; from_s: number; to_s: number; at_s: number; playing: boolean; rate: number };
 }

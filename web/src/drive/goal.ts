@@ -1,6 +1,7 @@
 import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
 import { button, element, set_text } from "../page/element";
+import { text } from "../text";
 import { colour } from "../page/theme";
 import { draw_dots } from "../plan/draw";
 import type { Point } from "../plan/geometry";
@@ -22,8 +23,8 @@ export class Goal {
       "div",
       { class: "goal-bar", hidden: true },
       this.#where,
-      button("Go there", () => void this.#send(), { class: "primary" }),
-      button("Cancel", () => this.clear()),
+      button(text.plan.go, () => void this.#send(), { class: "primary" }),
+      button(text.plan.cancel, () => this.clear()),
     );
     this.layer = (context, view) => {
       if (this.#at) draw_dots(context, view, [this.#at], colour("path"), 7);
@@ -32,14 +33,12 @@ export class Goal {
 
   pick(at: Point): void {
     if (!this.store.is_shown.value || !this.store.building.value) {
-      this.app.notices.show(
-        "To send the vehicle to a point, choose “Go to a place” under Mission and click the point in the building",
-      );
+      this.app.notices.show(text.plan.no_building);
       return;
     }
     this.#at = at;
     this.element.hidden = false;
-    set_text(this.#where, `x ${at.x.toFixed(2)} m, y ${at.y.toFixed(2)} m in ${this.store.chosen.value}`);
+    set_text(this.#where, text.plan.goal(at.x.toFixed(2), at.y.toFixed(2), this.store.chosen.value));
     this.changed();
   }
 
@@ -52,7 +51,6 @@ export class Goal {
   async #send(): Promise<void> {
     if (!this.#at) return;
     const request = { building: this.store.chosen.value, x_m: this.#at.x, y_m: this.#at.y };
-    if (await this.app.notices.attempt(this.app.lease.call("mission/go", request), "On the way"))
-      this.clear();
+    if (await this.app.notices.attempt(this.app.lease.call("mission/go", request))) this.clear();
   }
 }

@@ -1,13 +1,45 @@
 import type { App } from "../page/app";
 import { button, element, panel, set_text } from "../page/element";
-import { vehicle_shape } from "./vehicle_text";
+import { text } from "../text";
 import { drive_pad } from "./pad";
+import { vehicle_shape } from "./vehicle_text";
 
-/** Take the controls and drive; while teaching a route, set marks. */
-export function hand_panel(app: App): HTMLElement {
+/** Set marks while teaching a route, and finish the drive. */
+function mark_fields(app: App): HTMLFieldSetElement {
+  const { lease, notices } = app;
+  const words = text.hand;
+  const label = element("input", {
+    type: "text",
+    maxlength: 64,
+    placeholder: words.name_or_number,
+    autocomplete: "off",
+    "aria-label": words.mark_name,
+  });
+  const mark = (kind: string, name: () => string) => () =>
+    void notices.attempt(lease.call("mission/mark", { kind, label: name() }), words.marked(kind));
+  const named = () => label.value.trim();
+  return element(
+    "fieldset",
+    { class: "marks" },
+    element("legend", {}, words.marks),
+    label,
+    button(words.place, mark("place", named)),
+    button(words.turning_begins, mark("turning begins", named)),
+    button(words.turning_ends, mark("turning ends", named)),
+    button(
+      words.route_ends,
+      mark("stop", () => ""),
+    ),
+    button(words.finish, () => void notices.attempt(lease.call("mission/finish"), words.finished)),
+  );
+}
+
+/** Take the controls and drive. @returns the panel, and the pad with the speed, which have a place of their own */
+export function hand_panel(app: App): { panel: HTMLElement; steering: HTMLElement } {
   const { driver, lease, notices } = app;
+  const words = text.hand;
   const take = button(
-    "Take the controls",
+    words.take,
     () => void notices.attempt(lease.token.value === undefined ? lease.take() : lease.release()),
     { class: "primary" },
   );
@@ -21,46 +53,22 @@ export function hand_panel(app: App): HTMLElement {
     value: driver.pace,
     oninput: () => (driver.pace = Number(pace.value)),
   });
-  const label = element("input", {
-    type: "text",
-    maxlength: 64,
-    placeholder: "name or number",
-    autocomplete: "off",
-  });
-  label.setAttribute("aria-label", "Name or number of the mark");
-  const mark = (kind: string, text: string) => () =>
-    void notices.attempt(lease.call("mission/mark", { kind, label: text }), `Marked: ${kind}`);
-  const marks = element(
-    "fieldset",
-    { class: "marks" },
-    element("legend", {}, "Marks"),
-    label,
-    button("Place", () => mark("place", label.value.trim())()),
-    button("Turning begins", () => mark("turning begins", label.value.trim())()),
-    button("Turning ends", () => mark("turning ends", label.value.trim())()),
-    button("Route ends", () => mark("stop", "")()),
-  );
-  const finish = button("Finish", () => void notices.attempt(lease.call("mission/finish"), "Finished"));
+  const marks = mark_fields(app);
 
   const show = () => {
+    const { driven_by_hand = false, mode, emergency = false } = app.state.value ?? {};
     const drives = lease.token.value !== undefined;
-    const accepts_commands = app.state.value?.driven_by_hand ?? false;
-    const in_mission = app.state.value?.mode === "mission";
-    set_text(take, drives ? "Give the controls back" : "Take the controls");
+    const can_drive = drives && driven_by_hand && !emergency;
+    set_text(take, drives ? words.give : words.take);
     take.classList.toggle("primary", !drives);
-    const refused = "The mission is driving. Stop it to drive by hand.";
-    const how = "Hold the arrow keys, drag on the pad or use a gamepad. The vehicle stops when you let go.";
     set_text(
       hint,
-      !drives
-        ? "One client at a time holds the controls; all others can watch."
-        : accepts_commands
-          ? how
-          : refused,
+      !drives ? words.watch : !driven_by_hand ? words.refused : emergency ? words.stopped : words.how,
     );
-    pad.classList.toggle("off", !drives || !accepts_commands);
-    marks.disabled = !drives || !accepts_commands || !in_mission;
-    finish.disabled = !drives || !accepts_commands || !in_mission;
+    document.documentElement.toggleAttribute("data-drives", can_drive);
+    pad.classList.toggle("off", !can_drive);
+    marks.hidden = !(driven_by_hand && mode === "mission");
+    marks.disabled = !drives;
   };
   lease.token.watch(show);
   app.state.watch(show);
@@ -68,17 +76,13 @@ export function hand_panel(app: App): HTMLElement {
     driver.vehicle = vehicle_shape((message as { data: string }).data);
   });
 
-  return panel(
-    "By hand",
-    "hand-panel",
-    element("div", { class: "buttons" }, take, finish),
-    hint,
-    element(
+  return {
+    panel: panel(words.title, "hand-panel", element("div", { class: "buttons" }, take), hint, marks),
+    steering: element(
       "div",
       { class: "steering" },
       pad,
-      element("label", { class: "field pace" }, element("span", {}, "Speed"), pace),
+      element("label", { class: "field pace" }, element("span", {}, words.speed), pace),
     ),
-    marks,
-  );
+  };
 }

@@ -27,13 +27,18 @@ export function watch_keys(active: () => boolean, report: (request: DriveRequest
     changed();
   };
 
-  addEventListener("keydown", (event) => {
-    if (!(event.key in key_requests) || event.ctrlKey || event.altKey || event.metaKey) return;
-    if (!active() || wants_arrows(event.target)) return;
-    event.preventDefault();
-    held.add(event.key);
-    if (!event.repeat) changed();
-  });
+  addEventListener(
+    "keydown",
+    (event) => {
+      if (!(event.key in key_requests) || event.ctrlKey || event.altKey || event.metaKey) return;
+      if (!active() || wants_arrows(event.target)) return;
+      event.preventDefault();
+      event.stopPropagation();
+      held.add(event.key);
+      if (!event.repeat) changed();
+    },
+    { capture: true },
+  );
   addEventListener("keyup", (event) => {
     if (held.delete(event.key)) changed();
   });

@@ -1,13 +1,26 @@
+import { text } from "../text";
+
 /** The fields of each mission: the table of docs/reference/live-server.md. */
 
 export type FieldKind =
-  "new_session" | "session" | "new_building" | "building" | "route" | "place" | "text" | "yes" | "method";
+  | "new_session"
+  | "session"
+  | "new_building"
+  | "building"
+  | "route"
+  | "place"
+  | "text"
+  | "count"
+  | "yes"
+  | "method";
 
 export interface Field {
   key: string;
   label: string;
   kind: FieldKind;
   is_needed?: boolean;
+  /** A name is proposed, but the field may be left empty. */
+  is_proposed?: boolean;
   choices?: string[];
 }
 
@@ -19,80 +32,72 @@ export interface MissionForm {
   fields: Field[];
 }
 
-const keep_session: Field = { key: "session", label: "Record as", kind: "new_session" };
-const building: Field = { key: "building", label: "Building", kind: "building", is_needed: true };
+const keep_session: Field = { key: "session", label: text.fields.record_as, kind: "new_session" };
+const building: Field = { key: "building", label: text.fields.building, kind: "building", is_needed: true };
 const methods = ["landmarks", "sections", "route"];
 
 export const mission_forms: MissionForm[] = [
   {
     mission: "explore",
-    label: "Explore",
-    begin: "Explore",
-    about: "The vehicle explores the building by itself and returns to the start.",
-    fields: [{ key: "building", label: "Learn as", kind: "new_building" }],
+    ...text.missions.explore,
+    fields: [{ key: "building", label: text.fields.learn_as, kind: "new_building", is_proposed: true }],
   },
   {
     mission: "drive",
-    label: "Drive by hand",
-    begin: "Begin",
-    about: "You drive; nothing is learned.",
+    ...text.missions.drive,
     fields: [keep_session],
   },
   {
     mission: "teach",
-    label: "Teach",
-    begin: "Start teaching",
-    about: "Drive the route once by hand; then learn it.",
+    ...text.missions.teach,
     fields: [
-      { key: "session", label: "Taught run", kind: "new_session", is_needed: true },
-      { key: "route", label: "Route", kind: "text" },
-      { key: "method", label: "Method", kind: "method", choices: methods },
-      { key: "scripted", label: "A simulated driver drives", kind: "yes" },
+      { key: "session", label: text.fields.taught_run, kind: "new_session", is_needed: true },
+      { key: "route", label: text.fields.route, kind: "text" },
+      { key: "method", label: text.fields.method, kind: "method", choices: methods },
+      { key: "scripted", label: text.fields.scripted, kind: "yes" },
     ],
   },
   {
     mission: "learn",
-    label: "Learn",
-    begin: "Learn",
-    about: "Builds a map with the route from a taught run.",
+    ...text.missions.learn,
     fields: [
-      { key: "session", label: "Taught run", kind: "session", is_needed: true },
-      { key: "building", label: "Learn as", kind: "new_building", is_needed: true },
-      { key: "method", label: "Method", kind: "method", choices: methods },
+      { key: "session", label: text.fields.taught_run, kind: "session", is_needed: true },
+      { key: "building", label: text.fields.learn_as, kind: "new_building", is_needed: true },
+      { key: "method", label: text.fields.method, kind: "method", choices: methods },
     ],
   },
   {
     mission: "navigate",
-    label: "Navigate",
-    begin: "Drive the route",
-    about: "The vehicle drives a taught route.",
+    ...text.missions.navigate,
     fields: [
       building,
-      { key: "route", label: "Route", kind: "route" },
-      { key: "reverse", label: "In reverse, from the end to the start", kind: "yes" },
+      { key: "route", label: text.fields.route, kind: "route" },
+      { key: "reverse", label: text.fields.reverse, kind: "yes" },
       keep_session,
     ],
   },
   {
     mission: "go",
-    label: "Go to a place",
-    begin: "Go",
-    about: "Drives to a place of the building. You can also click a point on the plan.",
-    fields: [building, { key: "place", label: "Place", kind: "place", is_needed: true }, keep_session],
+    ...text.missions.go,
+    fields: [
+      building,
+      { key: "place", label: text.fields.place, kind: "place", is_needed: true },
+      keep_session,
+    ],
   },
   {
     mission: "patrol",
-    label: "Patrol",
-    begin: "Patrol",
-    about: "Drives to all places of the building in turn.",
-    fields: [building, { key: "rounds", label: "Rounds", kind: "text" }, keep_session],
+    ...text.missions.patrol,
+    fields: [building, { key: "rounds", label: text.fields.rounds, kind: "count" }, keep_session],
   },
   {
     mission: "park",
-    label: "Park",
-    begin: "Park",
-    about: "Parks precisely at a place.",
-    fields: [building, { key: "place", label: "Place", kind: "place", is_needed: true }, keep_session],
+    ...text.missions.park,
+    fields: [
+      building,
+      { key: "place", label: text.fields.place, kind: "place", is_needed: true },
+      keep_session,
+    ],
   },
 ];
 

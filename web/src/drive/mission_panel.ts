@@ -1,48 +1,86 @@
 import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
 import { button, element, panel, set_text, select } from "../page/element";
-import { SessionStore } from "../sessions/session_store";
+import { short_duration } from "../page/status";
+import type { SessionStore } from "../sessions/session_store";
+import { text } from "../text";
 import { mission_forms, start_request } from "./mission_forms";
 import type { MissionForm } from "./mission_forms";
 import { MissionFields } from "./mission_fields";
 
-/** Choose, start, pause and stop a mission. */
-export function mission_panel(app: App, store: BuildingStore): HTMLElement {
-  const sessions = new SessionStore(app);
+/** The form of the mission that is chosen; while one runs, how far it is, and how to pause and end it. */
+export function mission_panel(app: App, store: BuildingStore, sessions: SessionStore): HTMLElement {
   const about = element("p", { class: "about" });
   const place = element("div", { class: "fields" });
+  const keeps_buildings = () => app.state.value?.keeps_buildings ?? false;
   let form = mission_forms[0] as MissionForm;
-  let fields = new MissionFields(form, store, sessions);
+  let fields = new MissionFields(form, store, sessions, keeps_buildings);
+  const needs_building = () => form.fields.some(({ kind }) => kind === "building");
 
   const choose = (mission: string) => {
     form = mission_forms.find((candidate) => candidate.mission === mission) ?? form;
-    fields = new MissionFields(form, store, sessions);
+    fields = new MissionFields(form, store, sessions, keeps_buildings);
     set_text(about, form.about);
     set_text(start, form.begin);
     place.replaceChildren(...fields.elements);
-    store.is_shown.value = form.fields.some(({ kind }) => kind === "building");
+    store.is_shown.value = needs_building();
   };
   const chooser = select(
-    "Mission",
+    text.mission.title,
     mission_forms.map(({ mission, label }) => ({ value: mission, label })),
     choose,
   );
-  const start = button(
-    "",
-    () => void app.notices.attempt(app.lease.call("mission/start", start_request(form, fields.values()))),
-    { class: "primary" },
+  const start = element("button", { type: "submit", class: "primary" });
+  const begin = () =>
+    void app.notices.attempt(app.lease.call("mission/start", start_request(form, fields.values())));
+  const choice = element(
+    "form",
+    {
+      class: "fields",
+      onsubmit: (event: SubmitEvent) => {
+        event.preventDefault();
+        begin();
+      },
+    },
+    chooser.field,
+    about,
+    place,
+    element("div", { class: "buttons" }, start),
   );
-  const pause = button("Pause", () => {
-    const service = app.state.value?.paused ? "mission/resume" : "mission/pause";
-    void app.notices.attempt(app.lease.call(service));
-  });
-  const stop = button("Stop", () => void app.notices.attempt(app.lease.call("mission/stop")));
+
+  const progress = element("p", { class: "progress" });
+  const pause = button(text.mission.pause, () => void app.notices.attempt(app.lease.call("mission/pause")));
+  const end = button(text.mission.end, () => void app.notices.attempt(app.lease.call("mission/stop")));
+  const running = element(
+    "div",
+    { class: "fields" },
+    progress,
+    element("div", { class: "buttons" }, pause, end),
+  );
+
   app.state.watch((state) => {
-    const is_running = state?.mode === "mission";
-    start.disabled = !state || state.mode !== "idle";
-    pause.disabled = !is_running;
-    stop.disabled = !state || state.mode === "idle";
-    set_text(pause, state?.paused ? "Resume" : "Pause");
+    const is_idle = state?.mode === "idle";
+    choice.hidden = state !== undefined && !is_idle;
+    running.hidden = !state || is_idle || state.mode === "ended";
+    start.disabled = !is_idle;
+    pause.disabled = state?.mode !== "mission" || state.paused;
+    if (!state || is_idle) return;
+    const { mode, mission, task, done, total, distance_m = 0, stamp_s } = state;
+    const area = mode === "mission" ? app.plan.free_floor_text() : "";
+    const way =
+      mode === "mission"
+        ? text.mission.progress(distance_m.toFixed(1), short_duration(stamp_s))
+        : text.mission.computing(done, total);
+    set_text(progress, [mission || mode, task, way, area].filter(Boolean).join(" · "));
+  });
+  let known = "";
+  app.state.watch((state) => {
+    const is_idle = state?.mode === "idle";
+    const news = `${state?.mode} ${state?.keeps_buildings}`;
+    if (news === known) return;
+    known = news;
+    fields.refill();
+    store.is_shown.value = is_idle && needs_building();
   });
   const refill = () => {
     fields.refill();
@@ -52,12 +90,5 @@ export function mission_panel(app: App, store: BuildingStore): HTMLElement {
   sessions.sessions.watch(refill);
   choose(form.mission);
 
-  return panel(
-    "Mission",
-    "mission-panel",
-    chooser.field,
-    about,
-    place,
-    element("div", { class: "buttons" }, start, pause, stop),
-  );
+  return panel(text.mission.title, "mission-panel", choice, running);
 }

@@ -1,3 +1,4 @@
+import { text } from "../text";
 import { element } from "../page/element";
 import { no_request } from "./drive_request";
 import type { DriveRequest } from "./drive_request";
@@ -12,11 +13,7 @@ function beyond_dead_zone(value: number): number {
 /** A round pad for a finger or the mouse: up drives ahead, left steers left. */
 export function drive_pad(report: (request: DriveRequest) => void): HTMLElement {
   const knob = element("div", { class: "knob" });
-  const pad = element(
-    "div",
-    { class: "pad", role: "application", "aria-label": "Drive pad: drag to drive" },
-    knob,
-  );
+  const pad = element("div", { class: "pad", role: "application", "aria-label": text.hand.pad }, knob);
 
   const show = (request: DriveRequest) => {
     knob.style.transform = `translate(${-request.left * 40}%, ${-request.ahead * 40}%)`;

@@ -1,4 +1,5 @@
 import { element } from "../page/element";
+import { text } from "../text";
 import { Sheet } from "../page/sheet";
 import { edge_at, cell_at } from "./maze_picking";
 import type { Edge } from "./maze_picking";
@@ -38,6 +39,8 @@ export class MazeCanvas {
 
   #cursor: Cell = { x: 0, y: 0 };
   #drawing: boolean | undefined;
+  /** The last point of the stroke. */
+  #last: { u: number; v: number } | undefined;
   readonly #sheet: Sheet;
 
   constructor(private readonly actions: Actions) {
@@ -47,10 +50,7 @@ export class MazeCanvas {
       "data-arrows": "",
       role: "application",
     });
-    this.element.setAttribute(
-      "aria-label",
-      "Maze: arrow keys move the cursor, Shift and arrow keys add or remove a wall, S sets the start, G a goal",
-    );
+    this.element.setAttribute("aria-label", text.maze.canvas);
     this.element.addEventListener("pointerdown", (event) => this.#press(event));
     this.element.addEventListener("pointermove", (event) => this.#move(event));
     for (const end of ["pointerup", "pointercancel"]) {
@@ -91,14 +91,24 @@ export class MazeCanvas {
     }
     const edge = edge_at(this.maze, this.#frame(), event.offsetX, event.offsetY);
     if (!edge) return;
+    this.#last = { u: event.offsetX, v: event.offsetY };
     this.#drawing = !this.maze.has_wall(edge.cell, edge.side);
     this.actions.wall(edge, this.#drawing, true);
   }
 
   #move(event: PointerEvent): void {
     if (this.#drawing === undefined) return;
-    const edge = edge_at(this.maze, this.#frame(), event.offsetX, event.offsetY);
-    if (edge) this.actions.wall(edge, this.#drawing, false);
+    const to = { u: event.offsetX, v: event.offsetY };
+    const from = this.#last ?? to;
+    this.#last = to;
+    const frame = this.#frame();
+    const steps = Math.ceil((4 * Math.hypot(to.u - from.u, to.v - from.v)) / frame.cell_px) || 1;
+    for (let step = 1; step <= steps; step += 1) {
+      const [u, v] = [from.u + ((to.u - from.u) * step) / steps, from.v + ((to.v - from.v) * step) / steps];
+      const edge = edge_at(this.maze, frame, u, v, true);
+      if (edge && this.maze.has_wall(edge.cell, edge.side) !== this.#drawing)
+        this.actions.wall(edge, this.#drawing, false);
+    }
   }
 
   #key(event: KeyboardEvent): void {

@@ -37,20 +37,18 @@ function middle(frame: MazeFrame, { x, y }: Cell): [number, number] {
   return corner(frame, x + 0.5, y + 0.5);
 }
 
-function fill_cell(context: Context, frame: MazeFrame, { x, y }: Cell, style: string): void {
+function fill_cells(context: Context, frame: MazeFrame, cells: Iterable<Cell>, style: string): void {
   context.fillStyle = style;
-  context.fillRect(...corner(frame, x, y + 1), frame.cell_px, frame.cell_px);
+  context.beginPath();
+  for (const { x, y } of cells) context.rect(...corner(frame, x, y + 1), frame.cell_px, frame.cell_px);
+  context.fill();
 }
 
 function edge(context: Context, frame: MazeFrame, { x, y }: Cell, side: Side): void {
-  const [from, to] = {
-    N: [corner(frame, x, y + 1), corner(frame, x + 1, y + 1)],
-    E: [corner(frame, x + 1, y), corner(frame, x + 1, y + 1)],
-    S: [corner(frame, x, y), corner(frame, x + 1, y)],
-    W: [corner(frame, x, y), corner(frame, x, y + 1)],
-  }[side] as [[number, number], [number, number]];
-  context.moveTo(...from);
-  context.lineTo(...to);
+  const [left, low] = [side === "E" ? x + 1 : x, side === "N" ? y + 1 : y];
+  const is_level = side === "N" || side === "S";
+  context.moveTo(...corner(frame, left, low));
+  context.lineTo(...corner(frame, is_level ? left + 1 : left, is_level ? low : low + 1));
 }
 
 export function draw_grid(context: Context, frame: MazeFrame, maze: Maze): void {
@@ -75,7 +73,9 @@ export function draw_walls(context: Context, frame: MazeFrame, maze: Maze, known
     context.beginPath();
     for (const cell of maze.cells()) {
       for (const side of sides) {
-        if (maze.has_wall(cell, side) && seen(cell, side) === is_seen) edge(context, frame, cell, side);
+        const is_drawn_by_neighbour = (side === "S" && cell.y > 0) || (side === "W" && cell.x > 0);
+        if (!is_drawn_by_neighbour && maze.has_wall(cell, side) && seen(cell, side) === is_seen)
+          edge(context, frame, cell, side);
       }
     }
     context.stroke();
@@ -96,22 +96,28 @@ export function draw_start_and_goals(context: Context, frame: MazeFrame, maze: M
 }
 
 export function draw_known(context: Context, frame: MazeFrame, run: MazeRun, known: Known): void {
-  const visited = colour("visited");
-  for (const index of known.open.keys()) {
-    fill_cell(context, frame, { x: index % run.width, y: Math.floor(index / run.width) }, visited);
-  }
-  for (const cell of frontier_cells(run, known)) fill_cell(context, frame, cell, colour("frontier"));
+  const visited = [...known.open.keys()].map((index) => ({
+    x: index % run.width,
+    y: Math.floor(index / run.width),
+  }));
+  fill_cells(context, frame, visited, colour("visited"));
+  fill_cells(context, frame, frontier_cells(run, known), colour("frontier"));
 }
 
 export function draw_path(context: Context, frame: MazeFrame, { path }: Known): void {
   context.strokeStyle = colour("trail");
   context.lineWidth = Math.max(1.5, frame.cell_px / 16);
-  context.lineJoin = "round";
+  context.lineCap = "square";
   context.beginPath();
-  path.forEach((cell, index) => {
-    if (index === 0) context.moveTo(...middle(frame, cell));
-    else context.lineTo(...middle(frame, cell));
-  });
+  const drawn = new Set<number>();
+  for (let index = 1; index < path.length; index += 1) {
+    const [from, to] = [path[index - 1] as Cell, path[index] as Cell];
+    const key = (from.x + to.x) * 1000 + from.y + to.y; // the way back is drawn with the way there
+    if (drawn.has(key)) continue;
+    drawn.add(key);
+    context.moveTo(...middle(frame, from));
+    context.lineTo(...middle(frame, to));
+  }
   context.stroke();
 }
 

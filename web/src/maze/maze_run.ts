@@ -38,11 +38,14 @@ export function cell_of([x, y]: [number, number]): Cell {
   return { x, y };
 }
 
-/** @param count of cycles so far, at least 1 */
+/** The cells of the last run that was asked for, so that the next cycle adds its own only. */
+let last: { run: MazeRun; open: Map<number, string>; path: Cell[] } | undefined;
+
+/** @param count of cycles so far, at least 1. The result is valid until the next call */
 export function known_after(run: MazeRun, count: number): Known {
-  const open = new Map<number, string>();
-  const path: Cell[] = [];
-  for (const { cell, open: sides } of run.steps.slice(0, count)) {
+  if (last?.run !== run || last.path.length > count) last = { run, open: new Map(), path: [] };
+  const { open, path } = last;
+  for (const { cell, open: sides } of run.steps.slice(path.length, count)) {
     open.set(cell[1] * run.width + cell[0], sides);
     path.push(cell_of(cell));
   }

@@ -1,5 +1,6 @@
 import type { App, Tab } from "../page/app";
 import { button, element, panel, select } from "../page/element";
+import { text } from "../text";
 import { UndoList } from "../page/undo_list";
 import { download_text } from "../page/server_files";
 import { Maze, max_size } from "./maze";
@@ -10,22 +11,12 @@ import { maze_numbers, maze_picture, read_maze } from "./maze_text";
 import { random_maze } from "./random_maze";
 import { RunPlayer } from "./run_player";
 
-const rule_sets = [
-  { value: "published", label: "Published (C97)" },
-  { value: "shortcut", label: "Shortcut" },
-  { value: "cells", label: "Cells" },
-  { value: "homing", label: "Homing" },
-  { value: "roaming", label: "Roaming" },
-];
-
-const tools: { value: MazeTool; label: string }[] = [
-  { value: "walls", label: "Walls" },
-  { value: "start", label: "Start" },
-  { value: "goals", label: "Goals" },
-];
+const choices = (words: Record<string, string>) =>
+  Object.entries(words).map(([value, label]) => ({ value, label }));
 
 /** Draw a maze and watch how it is explored, cycle by cycle. */
 export function maze_tab(app: App): Tab {
+  const words = text.maze;
   const history = new UndoList<Maze>(random_maze(8, 8, 0.08, Math.random));
   const canvas = new MazeCanvas({
     wall: ({ cell, side }, is_closed, begins) =>
@@ -71,7 +62,7 @@ export function maze_tab(app: App): Tab {
     input.setAttribute("aria-label", label);
     return input;
   };
-  const [width, height] = [size("Width"), size("Height")];
+  const [width, height] = [size(words.width), size(words.height)];
   const wanted = (input: HTMLInputElement) =>
     Math.min(max_size, Math.max(1, Math.round(Number(input.value) || 1)));
   const begin = (make: (width: number, height: number) => Maze) => {
@@ -95,55 +86,59 @@ export function maze_tab(app: App): Tab {
     }
   };
 
-  const undo = button("Undo", () => {
+  const undo = button(text.building.undo, () => {
     history.undo();
     show();
   });
-  const redo = button("Redo", () => {
+  const redo = button(text.building.redo, () => {
     history.redo();
     show();
   });
-  const tool = select("Draw", tools, (value) => (canvas.tool = value as MazeTool));
-  const rule_list = select("Rules", rule_sets, (value) => (rules = value));
+  const tool = select(words.draw, choices(words.tools), (value) => (canvas.tool = value as MazeTool));
+  const rule_list = select(words.rules, choices(words.rule_sets), (value) => (rules = value));
 
   const tab = element(
     "div",
     { class: "tab maze-tab" },
-    panel("Maze", "maze-panel", canvas.element),
-    panel(
-      "Draw",
-      "maze-draw",
-      element("div", { class: "buttons line" }, tool.field, undo, redo),
-      element(
-        "div",
-        { class: "buttons line" },
-        width,
-        "x",
-        height,
-        button("Empty", () => begin((w, h) => new Maze(w, h))),
-        button("Random", () => begin((w, h) => random_maze(w, h, 0.08, Math.random))),
+    panel(words.title, "maze-panel", canvas.element),
+    element(
+      "div",
+      { class: "maze-side" },
+      panel(
+        words.draw,
+        "maze-draw",
+        element("div", { class: "buttons line" }, tool.field, undo, redo),
+        element(
+          "div",
+          { class: "buttons line" },
+          width,
+          "x",
+          height,
+          button(words.empty, () => begin((w, h) => new Maze(w, h))),
+          button(words.random, () => begin((w, h) => random_maze(w, h, 0.08, Math.random))),
+        ),
+        element(
+          "div",
+          { class: "buttons line" },
+          button(words.load, () => file.click()),
+          button(words.save_text, () => download_text("maze.txt", maze_picture(history.present))),
+          button(words.save_numbers, () => download_text("maze.num", maze_numbers(history.present))),
+          file,
+        ),
       ),
-      element(
-        "div",
-        { class: "buttons line" },
-        button("Load", () => file.click()),
-        button("Save text", () => download_text("maze.txt", maze_picture(history.present))),
-        button("Save num", () => download_text("maze.num", maze_numbers(history.present))),
-        file,
+      panel(
+        words.explore,
+        "maze-run",
+        rule_list.field,
+        element(
+          "div",
+          { class: "buttons" },
+          button(words.explore, () => void explore(), { class: "primary" }),
+        ),
+        player.element,
       ),
-    ),
-    panel(
-      "Explore",
-      "maze-run",
-      rule_list.field,
-      element(
-        "div",
-        { class: "buttons" },
-        button("Explore", () => void explore(), { class: "primary" }),
-      ),
-      player.element,
     ),
   );
   show();
-  return { name: "maze", title: "Maze", element: tab };
+  return { name: "maze", title: text.tabs.maze, element: tab };
 }

@@ -1,16 +1,30 @@
 import { button, element, set_text } from "../page/element";
+import { text } from "../text";
 import { draw_input } from "./maze_drawing";
 import { false_walls, known_after } from "./maze_run";
 import type { MazeRun } from "./maze_run";
 
 const input_px = 76;
-const directions = { N: "up", E: "right", S: "down", W: "left", "": "stop" };
+/** A long stack would take longer to lay out than a frame. */
+const stack_shown = 40;
 
 /** Steps through a run: state, input, rule and stack of each learning cycle. */
 export class RunPlayer {
   readonly element: HTMLElement;
-  readonly #slider = element("input", { type: "range", min: 1, max: 1, value: 1, "aria-label": "Cycle" });
-  readonly #speed = element("input", { type: "range", min: 0, max: 100, value: 45, "aria-label": "Speed" });
+  readonly #slider = element("input", {
+    type: "range",
+    min: 1,
+    max: 1,
+    value: 1,
+    "aria-label": text.maze.cycle,
+  });
+  readonly #speed = element("input", {
+    type: "range",
+    min: 0,
+    max: 100,
+    value: 45,
+    "aria-label": text.maze.speed,
+  });
   readonly #play: HTMLButtonElement;
   readonly #position = element("span", { class: "position" });
   readonly #input = element("canvas", {
@@ -23,7 +37,7 @@ export class RunPlayer {
   readonly #symbol = element("dd", {});
   readonly #rule = element("dd", { class: "rule" });
   readonly #move = element("dd", {});
-  readonly #stack = element("ol", { class: "stack", "aria-label": "Stack, top first" });
+  readonly #stack = element("ol", { class: "stack", tabindex: 0, "aria-label": text.maze.stack });
   readonly #figures = element("p", { class: "about", role: "status" });
   #run: MazeRun | undefined;
   #count = 0;
@@ -31,7 +45,7 @@ export class RunPlayer {
 
   /** @param show called with the number of cycles to show */
   constructor(private readonly show: (count: number) => void) {
-    this.#play = button("Run", () => this.#toggle());
+    this.#play = button(text.maze.run, () => this.#toggle());
     this.#slider.addEventListener("input", () => {
       this.pause();
       this.go_to(Number(this.#slider.value));
@@ -47,11 +61,11 @@ export class RunPlayer {
         "div",
         { class: "buttons" },
         this.#play,
-        button("Back", step(-1), { "aria-label": "One step back" }),
-        button("Step", step(1), { "aria-label": "One step forward" }),
-        button("To the end", step(Infinity)),
+        button(text.maze.back, step(-1), { "aria-label": text.maze.back_name }),
+        button(text.maze.step, step(1), { "aria-label": text.maze.step_name }),
+        button(text.maze.to_end, step(Infinity)),
       ),
-      element("label", { class: "field" }, element("span", {}, "Speed"), this.#speed),
+      element("label", { class: "field" }, element("span", {}, text.maze.speed), this.#speed),
       element("label", { class: "field" }, this.#position, this.#slider),
       element(
         "div",
@@ -61,14 +75,14 @@ export class RunPlayer {
           "dl",
           {},
           ...[
-            ["State", this.#state],
-            ["Input", this.#symbol],
-            ["Move", this.#move],
-            ["Super rule", this.#rule],
+            [text.maze.state, this.#state],
+            [text.maze.input, this.#symbol],
+            [text.maze.move, this.#move],
+            [text.maze.rule, this.#rule],
           ].flatMap(([label, value]) => [element("dt", {}, label as string), value as HTMLElement]),
         ),
       ),
-      element("h3", {}, "Stack, top first"),
+      element("h3", {}, text.maze.stack),
       this.#stack,
       this.#figures,
     );
@@ -83,8 +97,8 @@ export class RunPlayer {
     if (!run) return;
     this.#slider.max = String(run.steps.length);
     const { visited, reachable, moves, complete } = run.figures;
-    const outcome = complete ? "Explored completely, back at the start" : "Not explored completely";
-    set_text(this.#figures, `${outcome}: ${visited} of ${reachable} cells, ${moves} moves.`);
+    const outcome = complete ? text.maze.complete : text.maze.incomplete;
+    set_text(this.#figures, text.maze.figures(outcome, visited, reachable, moves));
     this.go_to(1);
   }
 
@@ -99,14 +113,14 @@ export class RunPlayer {
   play(): void {
     if (!this.#run) return;
     if (this.#count === this.#run.steps.length) this.go_to(1);
-    set_text(this.#play, "Pause");
+    set_text(this.#play, text.maze.pause);
     this.#advance();
   }
 
   pause(): void {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    set_text(this.#play, "Run");
+    set_text(this.#play, text.maze.run);
   }
 
   #toggle(): void {
@@ -131,9 +145,12 @@ export class RunPlayer {
     set_text(this.#position, `${this.#count} of ${this.#run.steps.length}`);
     set_text(this.#state, step.state);
     set_text(this.#symbol, `${step.input}, ${step.input_kind}`);
-    set_text(this.#move, directions[step.move]);
+    set_text(this.#move, text.maze.directions[step.move]);
     set_text(this.#rule, step.rule);
-    this.#stack.replaceChildren(...step.stack.toReversed().map((symbol) => element("li", {}, symbol)));
+    const top = step.stack.slice(-stack_shown).toReversed();
+    const more = step.stack.length - top.length;
+    if (more > 0) top.push(text.maze.more(more));
+    this.#stack.replaceChildren(...top.map((symbol) => element("li", {}, symbol)));
     const context = this.#input.getContext("2d");
     if (context)
       draw_input(
@@ -142,6 +159,6 @@ export class RunPlayer {
         step.open,
         false_walls(step, known_after(this.#run, this.#count).came_from),
       );
-    this.#input.setAttribute("aria-label", `Open sides: ${step.open}`);
+    this.#input.setAttribute("aria-label", text.maze.open_sides(step.open));
   }
 }

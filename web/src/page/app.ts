@@ -5,6 +5,7 @@ import type { LiveState } from "../connection/live_state";
 import { HandDriver } from "../drive/hand_driver";
 import { watch_gamepads } from "../drive/gamepad";
 import { watch_keys } from "../drive/keys";
+import { LivePlan } from "../plan/live_plan";
 import type { Notices } from "./notices";
 import { Signal } from "./signal";
 
@@ -12,8 +13,11 @@ import { Signal } from "./signal";
 export interface App {
   connection: LiveConnection;
   state: Signal<LiveState | undefined>;
+  /** The last known state, also after the connection was lost. */
+  last_state: LiveState | undefined;
   lease: Lease;
   driver: HandDriver;
+  plan: LivePlan;
   notices: Notices;
   /** Name of the tab that is shown. */
   tab: Signal<string>;
@@ -26,21 +30,22 @@ export interface Tab {
   element: HTMLElement;
 }
 
-/** @param address of the page, with the access token if the server needs one */
-export function make_app(address: URL, notices: Notices): App {
-  const socket = new URL(address);
-  socket.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-  socket.hash = "";
-  const connection = new LiveConnection(socket.href);
+/** @param socket address of the server's WebSocket */
+export function make_app(socket: string, notices: Notices): App {
+  const connection = new LiveConnection(socket);
   const lease = new Lease(connection);
+  const state = follow_state(connection);
   const app: App = {
     connection,
     lease,
     notices,
-    state: follow_state(connection),
+    state,
+    last_state: undefined,
     driver: new HandDriver(connection, lease),
+    plan: new LivePlan(connection, state),
     tab: new Signal("drive"),
   };
+  state.watch((present) => (app.last_state = present ?? app.last_state));
   const keys_drive = () => app.tab.value === "drive" && lease.token.value !== undefined;
   watch_keys(keys_drive, (request) => app.driver.press("keys", request));
   watch_gamepads((request) =>

@@ -1,3 +1,5 @@
+import { text } from "../text";
+
 /** Makes DOM elements: attributes, listeners (`onclick`), children. */
 
 type Child = Node | string | undefined;
@@ -62,4 +64,44 @@ export function panel(title: string, name: string, ...children: Child[]): HTMLEl
     element("h2", { id }, title),
     ...children,
   );
+}
+
+/** A button that acts once it has been held down, by a finger, the mouse or a key. */
+export function hold_button(
+  label: string,
+  action: () => void,
+  attributes: Attributes = {},
+): HTMLButtonElement {
+  const held_ms = 700;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const made = element(
+    "button",
+    { type: "button", title: text.held.hold, "aria-description": text.held.hold, ...attributes },
+    label,
+  );
+  made.classList.add("hold");
+  const release = () => {
+    clearTimeout(timer);
+    timer = undefined;
+    made.classList.remove("held");
+  };
+  const press = () => {
+    if (timer !== undefined || made.disabled) return;
+    made.classList.add("held");
+    timer = setTimeout(() => {
+      release();
+      action();
+    }, held_ms);
+  };
+  made.addEventListener("pointerdown", press);
+  for (const end of ["pointerup", "pointerleave", "pointercancel", "blur"])
+    made.addEventListener(end, release);
+  made.addEventListener("contextmenu", (event) => event.preventDefault());
+  made.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    if (!event.repeat) press();
+  });
+  made.addEventListener("keyup", release);
+  return made;
 }

@@ -1,3 +1,4 @@
+import { text } from "../text";
 import type { App, Tab } from "./app";
 import { button, element, set_text } from "./element";
 import { status_of } from "./status";
@@ -14,25 +15,22 @@ function tab_bar(app: App, tabs: Tab[]): HTMLElement {
   return element("nav", { "aria-label": "Tabs" }, ...links);
 }
 
-/** Connection, age of the data, who drives: always visible. */
+/** What, where, how far, how long and who drives, and whether that is current: always visible. */
 function status_line(app: App): HTMLElement {
-  const text = element("span", {});
-  const line = element(
-    "p",
-    { class: "status-line", role: "status" },
-    element("span", { class: "lamp" }),
-    text,
-  );
+  const words = element("span", {});
+  const line = element("p", { class: "status-line" }, element("span", { class: "lamp" }), words);
   const show = () => {
     const { lamp, text: status_text } = status_of({
       connection: app.connection.state.value,
       silent_s: (performance.now() - app.connection.last_message_ms) / 1000,
-      state: app.state.value,
+      state: app.state.value ?? app.last_state,
       drives_here: app.lease.token.value !== undefined,
+      at: app.plan.pose,
     });
     line.dataset["lamp"] = lamp;
+    line.title = status_text;
     document.documentElement.dataset["lamp"] = lamp;
-    set_text(text, status_text);
+    set_text(words, status_text);
   };
   app.connection.state.watch(show);
   app.state.watch(show);
@@ -45,8 +43,8 @@ function theme_button(): HTMLElement {
   const made = button("", toggle_theme, { class: "theme" });
   const show = () => {
     const other = present_theme() === "dark" ? "light" : "dark";
-    made.setAttribute("aria-label", `Switch to ${other} colours`);
-    made.title = made.getAttribute("aria-label") ?? "";
+    made.setAttribute("aria-label", text.theme(other));
+    made.title = text.theme(other);
     set_text(made, other === "dark" ? "☾" : "☀");
   };
   addEventListener("aisle-theme", show);
@@ -54,40 +52,14 @@ function theme_button(): HTMLElement {
   return made;
 }
 
-/** The only control that needs no lease; visible in every tab. */
-function emergency_stop(app: App): HTMLElement {
-  const stop = () => void app.notices.attempt(app.connection.call("mission/emergency_stop"));
-  const stop_button = button("STOP", stop, { class: "emergency", title: "Emergency stop (Escape)" });
-  stop_button.setAttribute("aria-label", "Emergency stop");
-  const release = button(
-    "Release",
-    () => void app.notices.attempt(app.lease.call("mission/emergency_release")),
-    {
-      class: "release",
-      hidden: true,
-    },
-  );
-  addEventListener("keydown", (event) => {
-    if (event.key === "Escape") stop();
-  });
-  app.connection.state.watch((connection) => (stop_button.disabled = connection !== "connected"));
-  app.state.watch((state) => {
-    const stopped = state?.emergency ?? false;
-    stop_button.classList.toggle("stopped", stopped);
-    set_text(stop_button, stopped ? "STOPPED" : "STOP");
-    release.hidden = !stopped;
-  });
-  return element("div", { class: "stopper" }, release, stop_button);
-}
-
 export function header(app: App, tabs: Tab[]): HTMLElement {
   return element(
     "header",
     {},
-    element("strong", { class: "brand" }, "aisle"),
+    element("h1", { class: "brand" }, "aisle"),
     tab_bar(app, tabs),
     status_line(app),
+    app.notices.opener,
     theme_button(),
-    emergency_stop(app),
   );
 }

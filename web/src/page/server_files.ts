@@ -1,11 +1,10 @@
 /** Files stored on the server, over HTTP. */
 
-/** The address of a file, with the access token of the page's own address if it has one. */
+import { server_address } from "./access";
+
+/** The address of a file, with the access token if the server needs one. */
 export function file_address(path: string): string {
-  const address = new URL(path, new URL(".", location.href));
-  const token = new URL(location.href).searchParams.get("token");
-  if (token !== null) address.searchParams.set("token", token);
-  return address.href;
+  return server_address(path).href;
 }
 
 async function problems_of(response: Response): Promise<string> {

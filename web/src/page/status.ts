@@ -1,5 +1,7 @@
 import type { ConnectionState } from "../connection/live_connection";
 import type { LiveState } from "../connection/live_state";
+import type { Point } from "../plan/geometry";
+import { text } from "../text";
 
 /** The server sends its state twice a second; data are old after this time without a message. */
 const old_after_s = 1.6;
@@ -12,29 +14,48 @@ export interface Status {
 interface StatusInput {
   connection: ConnectionState;
   silent_s: number;
+  /** The last known state, also after the connection was lost. */
   state: LiveState | undefined;
   drives_here: boolean;
+  at: Point | undefined;
 }
 
-function doing({ mode, mission, paused, task, replay }: LiveState): string {
-  if (mode === "mission") return paused ? `${mission}, paused` : mission;
-  if (mode === "work") return task;
-  if (mode === "replay") return `replay of ${replay?.session ?? "a session"}`;
-  return "waiting";
+/** Minutes and seconds: 3:07. */
+export function short_duration(seconds: number): string {
+  const whole = Math.round(seconds);
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
+}
+
+function doing({ mode, mission, paused, task, replay, done, total }: LiveState): string {
+  if (mode === "mission") return paused ? `${mission}, ${text.status.held}` : mission;
+  if (mode === "work") return total > 0 ? `${task} ${text.mission.computing(done, total)}` : task;
+  if (mode === "replay") return text.status.replay(replay?.session ?? "");
+  return text.status.waiting;
 }
 
 function driver(state: LiveState, drives_here: boolean): string {
-  if (drives_here) return "you hold the controls";
-  return state.lease_held ? "somebody else holds the controls" : "nobody holds the controls";
+  if (drives_here) return text.status.you;
+  return state.lease_held ? text.status.other : text.status.nobody;
 }
 
-/** One line: whether the shown data are current, what the vehicle is doing, and who may drive. */
-export function status_of({ connection, silent_s, state, drives_here }: StatusInput): Status {
-  if (connection === "connecting") return { lamp: "busy", text: "Connecting" };
-  if (connection === "lost") return { lamp: "trouble", text: "Not connected: reconnecting" };
-  if (!state) return { lamp: "busy", text: "Connected, no state received yet" };
-  if (silent_s > old_after_s)
-    return { lamp: "trouble", text: `Old data: no message for ${silent_s.toFixed(0)} s` };
-  if (state.emergency) return { lamp: "trouble", text: "Emergency stop" };
-  return { lamp: "good", text: `${state.world}: ${doing(state)}; ${driver(state, drives_here)}` };
+/** Where, how far and how long. */
+function measures({ mode, distance_m = 0, stamp_s }: LiveState, at: Point | undefined): string[] {
+  const where = at ? [`${at.x.toFixed(1)}, ${at.y.toFixed(1)} m`] : [];
+  if (mode !== "mission") return where;
+  return [`${distance_m.toFixed(1)} m`, short_duration(stamp_s), ...where];
+}
+
+/** One line: what, who drives, how far, how long, where; or that what is shown is not current. */
+export function status_of({ connection, silent_s, state, drives_here, at }: StatusInput): Status {
+  if (connection === "connecting") return { lamp: "busy", text: text.status.connecting };
+  if (connection === "lost" && state?.mode === "ended")
+    return { lamp: "busy", text: text.status.ended(state.mission) };
+  if (connection === "lost") return { lamp: "trouble", text: text.status.lost };
+  if (!state) return { lamp: "busy", text: text.status.no_state };
+  if (silent_s > old_after_s) return { lamp: "trouble", text: text.status.old(silent_s.toFixed(0)) };
+  const who = driver(state, drives_here);
+  const world = state.world === "" ? "" : `${state.world}: `;
+  const parts = [`${world}${doing(state)}; ${who}`, ...measures(state, at)];
+  if (state.emergency) parts.unshift(text.status.emergency);
+  return { lamp: state.emergency ? "trouble" : state.paused ? "busy" : "good", text: parts.join(" · ") };
 }

@@ -1,16 +1,19 @@
 import type { LiveConnection } from "../connection/live_connection";
-import { element } from "./element";
+import { text } from "../text";
+import { keep_token, present_token } from "./access";
+import { element, set_text } from "./element";
 import { file_address } from "./server_files";
 
-/** Whether the server answers but refuses the token in the page's address, or the lack of one. */
+/** Whether the server answers but refuses the token, or the lack of one. */
 async function is_locked(): Promise<boolean> {
   const response = await fetch(file_address("sessions/"), { cache: "no-store" }).catch(() => undefined);
   return response?.status === 401;
 }
 
-/** Asks for the access token if the server needs one and the page's address has none or a wrong one. */
+/** Asks for the access token if the server needs one and the page has none or a wrong one. */
 export function token_form(connection: LiveConnection): HTMLElement {
   const token = element("input", { type: "password", required: true, autocomplete: "current-password" });
+  const about = element("p", { class: "about", role: "alert" });
   const form = element(
     "form",
     {
@@ -18,17 +21,21 @@ export function token_form(connection: LiveConnection): HTMLElement {
       hidden: true,
       onsubmit: (event: SubmitEvent) => {
         event.preventDefault();
-        const address = new URL(location.href);
-        address.searchParams.set("token", token.value.trim());
-        location.assign(address);
+        keep_token(token.value.trim());
+        location.reload();
       },
     },
-    element("label", { class: "field" }, element("span", {}, "Token of this vehicle"), token),
-    element("button", { type: "submit", class: "primary" }, "Enter"),
+    about,
+    element("label", { class: "field" }, element("span", {}, text.token.label), token),
+    element("button", { type: "submit", class: "primary" }, text.token.enter),
   );
   connection.state.watch((state) => {
     if (state === "connected") form.hidden = true;
-    if (state === "lost") void is_locked().then((locked) => (form.hidden = !locked));
+    if (state !== "lost") return;
+    void is_locked().then((locked) => {
+      form.hidden = !locked;
+      if (locked) set_text(about, present_token() === null ? text.token.needed : text.token.wrong);
+    });
   });
   return form;
 }

@@ -50,6 +50,11 @@ export function floor_runs({ cell_m, low_cell, rows }: Floor): FloorRun[] {
   return runs;
 }
 
+export function free_floor_m2(floor: Floor): number {
+  const free = floor_runs(floor).filter(({ is_free }) => is_free);
+  return free.reduce((sum, { length_m }) => sum + length_m * floor.cell_m, 0);
+}
+
 /** The end points of all runs of the known floor. */
 export function* floor_points(floor: Floor): Iterable<Point> {
   for (const { low, length_m } of floor_runs(floor)) {

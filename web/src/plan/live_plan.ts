@@ -1,6 +1,7 @@
 import type { Floor } from "../building/building_file";
 import type { LiveConnection } from "../connection/live_connection";
 import { json_of } from "../connection/live_state";
+import type { LiveState } from "../connection/live_state";
 import { marker_type } from "../connection/messages";
 import type {
   LaserScan,
@@ -13,7 +14,9 @@ import type {
   TFMessage,
 } from "../connection/messages";
 import { vehicle_shape } from "../drive/vehicle_text";
-import { floor_points } from "./building_geometry";
+import type { Signal } from "../page/signal";
+import { text } from "../text";
+import { floor_points, free_floor_m2 } from "./building_geometry";
 import { distance, ellipse_of, heading_of, moved_by } from "./geometry";
 import type { Ellipse, Point, Pose } from "./geometry";
 
@@ -26,6 +29,12 @@ function pose_of({ position, orientation }: RosPose): Pose {
 function points_of(marker: Marker): Point[] {
   const pose = pose_of(marker.pose);
   return marker.points.length > 0 ? marker.points.map((point) => moved_by(pose, point)) : [pose];
+}
+
+/** A pose of a frame whose origin lies at `origin`. */
+function placed(origin: Pose | undefined, pose: Pose): Pose {
+  if (!origin) return pose;
+  return { ...moved_by(origin, pose), heading_rad: origin.heading_rad + pose.heading_rad };
 }
 
 /** One marker in the form in which it is drawn. */
@@ -62,24 +71,31 @@ export class LivePlan {
   ellipse: Ellipse | undefined;
   heading_sigma_rad = 0;
 
+  readonly #viewers = new Set<() => void>();
+  /** Where the odometry began on the map; the map stays when the vehicle waits after a mission. */
+  #odom_origin: Pose | undefined;
   #laser: Pose = { x: 0, y: 0, heading_rad: 0 };
   #stamp_ns = 0n;
   #has_map_pose = false;
 
-  constructor(connection: LiveConnection, changed: () => void) {
+  constructor(
+    private readonly connection: LiveConnection,
+    state: Signal<LiveState | undefined>,
+  ) {
     const listen = <T>(topic: string, take: (message: T, stamp_ns: bigint) => void) =>
       connection.listen(topic, (message, stamp_ns) => {
         take(message as T, stamp_ns);
-        changed();
+        this.#changed();
       });
-    listen("/session", () => this.#begin());
+    listen("/session", () => this.#begin(state.value?.map_origin));
+    connection.services.watch(() => void this.fetch_trail());
     listen<PoseWithCovarianceStamped>("/pose", (message, stamp_ns) => {
       this.#keep_time(stamp_ns);
       this.#take_pose(message);
     });
     listen<Odometry>("/odom", ({ pose }, stamp_ns) => {
       this.#keep_time(stamp_ns);
-      if (!this.#has_map_pose) this.#move_to(pose_of(pose.pose));
+      if (!this.#has_map_pose) this.#move_to(placed(this.#odom_origin, pose_of(pose.pose)));
     });
     listen<MarkerArray>("/map", ({ markers }) => this.#take_map(markers));
     listen<Path>("/plan", ({ poses }) => (this.path = poses.map(({ pose }) => pose_of(pose))));
@@ -87,6 +103,28 @@ export class LivePlan {
     listen<LaserScan>("/scan", (scan) => this.#take_scan(scan));
     listen<TFMessage>("/tf_static", ({ transforms }) => this.#take_mounts(transforms));
     listen<{ data: string }>("/vehicle_description", ({ data }) => (this.shape = vehicle_shape(data)));
+  }
+
+  /** Calls the viewer after every change. */
+  watch(viewer: () => void): void {
+    this.#viewers.add(viewer);
+  }
+
+  #changed(): void {
+    for (const viewer of this.#viewers) viewer();
+  }
+
+  /** What was driven before this page was opened, or before the time to which a replay has jumped. */
+  async fetch_trail(): Promise<void> {
+    if (!this.connection.services.value.has("mission/trail")) return;
+    const { points } = await this.connection.call<{ points: [number, number][] }>("mission/trail");
+    this.trail = points.map(([x, y]) => ({ x, y }));
+    this.#changed();
+  }
+
+  /** How much floor is known to be free; empty: nothing is known. */
+  free_floor_text(): string {
+    return this.floor ? text.mission.area(free_floor_m2(this.floor).toFixed(0)) : "";
   }
 
   /** All points that the plan should show. */
@@ -101,9 +139,21 @@ export class LivePlan {
     }
   }
 
-  /** A mission begins: clears the trail, the path and the map of the previous one. */
-  #begin(): void {
+  /** A mission begins: clears the trail, the path and the map of the previous one, unless that map stays. */
+  #begin(origin: LiveState["map_origin"]): void {
+    const trail = this.trail;
+    const pose = this.pose;
     this.#clear_drive();
+    this.#odom_origin = origin && {
+      x: origin.x_m,
+      y: origin.y_m,
+      heading_rad: (origin.heading_deg * Math.PI) / 180,
+    };
+    if (origin) {
+      this.trail = trail;
+      this.pose = pose;
+      return;
+    }
     this.marks.clear();
     this.floor = undefined;
   }

@@ -36,15 +36,17 @@ export class PlanView {
     this.middle = { x: this.middle.x + fixed.x - moved.x, y: this.middle.y + fixed.y - moved.y };
   }
 
-  fit({ low, high }: Bounds, margin_px = 32): void {
-    this.middle = { x: (low.x + high.x) / 2, y: (low.y + high.y) / 2 };
+  /** @param left_px of the screen's left side that something else covers */
+  fit({ low, high }: Bounds, left_px = 0, margin_px = 32): void {
     const scale_for = (size_px: number, size_m: number) =>
       Math.max(1, size_px - 2 * margin_px) / Math.max(1, size_m);
     this.scale_px_per_m = Math.min(
       200,
-      scale_for(this.width_px, high.x - low.x),
+      scale_for(this.width_px - left_px, high.x - low.x),
       scale_for(this.height_px, high.y - low.y),
     );
+    const shift_m = left_px / 2 / this.scale_px_per_m;
+    this.middle = { x: (low.x + high.x) / 2 - shift_m, y: (low.y + high.y) / 2 };
   }
 }
 

@@ -8,10 +8,20 @@ export interface PointerActions {
   pan(right: number, down: number): void;
   zoom(factor: number, at: Point): void;
   click(at: Point): void;
+  /** The mouse moves without a button; undefined: it leaves. */
+  hover(at: Point | undefined): void;
   /** @returns false: the drag is not handled, so it pans */
   drag(from: Point, to: Point, ended: boolean): boolean;
+  /** The drag became a gesture of two fingers: it did not happen. */
+  cancel_drag(): void;
 }
 
+function middle(points: Point[]): Point {
+  const [a, b] = points as [Point, Point];
+  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+}
+
+/** One pointer clicks or drags; two always move and zoom, until all are lifted. */
 export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerActions): void {
   const down = new Map<number, Point>();
   let began: Point | undefined;
@@ -21,39 +31,53 @@ export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerAction
     const box = canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
-  const pinch = (id: number, to: Point) => {
-    const from = down.get(id);
-    const other = [...down].find(([key]) => key !== id)?.[1];
-    if (from && other) actions.zoom(distance(to, other) / Math.max(1, distance(from, other)), other);
+  const move_both = (id: number, to: Point) => {
+    const before = [...down.values()].slice(0, 2);
+    down.set(id, to);
+    const after = [...down.values()].slice(0, 2);
+    const [from, at] = [middle(before), middle(after)];
+    actions.pan(at.x - from.x, at.y - from.y);
+    const spread = (points: Point[]) => Math.max(1, distance(points[0] as Point, points[1] as Point));
+    actions.zoom(spread(after) / spread(before), at);
+  };
+  const end = (event: PointerEvent, is_cancelled: boolean) => {
+    if (!down.delete(event.pointerId) || down.size > 0) return;
+    if (began && is_cancelled) actions.cancel_drag();
+    else if (began && moved) actions.drag(began, place(event), true);
+    else if (began) actions.click(place(event));
+    began = undefined;
   };
 
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, place(event));
-    if (down.size === 1) began = place(event);
-    moved = down.size > 1;
+    if (down.size > 1) {
+      if (began) actions.cancel_drag();
+      began = undefined;
+    } else {
+      began = place(event);
+      moved = false;
+    }
   });
   canvas.addEventListener("pointermove", (event) => {
     const from = down.get(event.pointerId);
-    if (!from) return;
     const to = place(event);
-    if (down.size > 1) pinch(event.pointerId, to);
+    if (!from) {
+      if (event.pointerType === "mouse") actions.hover(to);
+      return;
+    }
+    if (down.size > 1) move_both(event.pointerId, to);
     else if (began && (moved || distance(began, to) > click_within_px)) {
       moved = true;
+      down.set(event.pointerId, to);
       if (!actions.drag(began, to, false)) actions.pan(to.x - from.x, to.y - from.y);
-    } else return;
-    down.set(event.pointerId, to);
+    } else if (!began) down.set(event.pointerId, to);
   });
-  canvas.addEventListener("pointerup", (event) => {
-    if (!down.delete(event.pointerId) || down.size > 0 || !began) return;
-    if (moved) actions.drag(began, place(event), true);
-    else actions.click(place(event));
-    began = undefined;
+  canvas.addEventListener("pointerleave", ({ pointerType }) => {
+    if (pointerType === "mouse") actions.hover(undefined);
   });
-  canvas.addEventListener("pointercancel", (event) => {
-    down.delete(event.pointerId);
-    began = undefined;
-  });
+  canvas.addEventListener("pointerup", (event) => end(event, false));
+  canvas.addEventListener("pointercancel", (event) => end(event, true));
   canvas.addEventListener(
     "wheel",
     (event) => {

@@ -18,9 +18,3 @@ export function short_bytes(bytes: number): string {
   const power = bytes < 1e6 ? 1 : bytes < 1e9 ? 2 : 3;
   return `${(bytes / 1000 ** power).toPrecision(3)} ${["kB", "MB", "GB"][power - 1]}`;
 }
-
-/** Minutes and seconds: 3:07. */
-export function short_duration(seconds: number): string {
-  const whole = Math.round(seconds);
-  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
-}

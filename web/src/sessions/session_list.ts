@@ -1,50 +1,55 @@
 import { button, element } from "../page/element";
-import { short_bytes, short_duration } from "./session_figures";
+import { short_duration } from "../page/status";
+import { text } from "../text";
+import { short_bytes } from "./session_figures";
 import type { SessionEntry } from "./session_store";
 
-function head(...columns: [string, boolean][]): HTMLElement {
-  const cells = columns.map(([label, is_number]) =>
-    element("th", { scope: "col", class: is_number ? "number" : undefined }, label),
+const numeric = [false, false, false, false, true, true];
+
+function head(): HTMLElement {
+  const cells = text.sessions.columns.map((label, column) =>
+    element("th", { scope: "col", class: numeric[column] ? "number" : undefined }, label),
   );
   return element("thead", {}, element("tr", {}, ...cells));
 }
 
-/** All sessions as a table; a click on a name chooses one. */
+function date_text(seconds: number | undefined): string {
+  return seconds
+    ? new Date(seconds * 1000).toLocaleString(undefined, { dateStyle: "short", timeStyle: "short" })
+    : "";
+}
+
+function row(session: SessionEntry, is_chosen: boolean, choose: () => void): HTMLElement {
+  const cells = [
+    button(session.name, choose),
+    session.navigator,
+    session.route,
+    date_text(session.recorded_s),
+    short_duration(session.duration_s),
+    short_bytes(session.bytes),
+  ];
+  return element(
+    "tr",
+    { class: is_chosen ? "chosen" : undefined },
+    ...cells.map((cell, column) => element("td", { class: numeric[column] ? "number" : undefined }, cell)),
+  );
+}
+
+/**
+ * The sessions whose names contain `wanted` as a table; a click on a name chooses one.
+ * @param sessions undefined: they were not read yet
+ */
 export function session_table(
-  sessions: readonly SessionEntry[],
+  sessions: readonly SessionEntry[] | undefined,
+  wanted: string,
   chosen: string,
   choose: (name: string) => void,
 ): HTMLElement {
-  if (sessions.length === 0) {
-    return element(
-      "p",
-      { class: "about" },
-      "No sessions yet: give a drive or a taught run a name to record it.",
-    );
-  }
-  const rows = sessions.map((session) =>
-    element(
-      "tr",
-      { "aria-selected": session.name === chosen },
-      element(
-        "td",
-        {},
-        button(session.name, () => choose(session.name), { title: session.name }),
-      ),
-      element("td", {}, session.navigator),
-      element("td", {}, session.route),
-      element("td", { class: "number" }, short_duration(session.duration_s)),
-      element("td", { class: "number" }, short_bytes(session.bytes)),
-    ),
-  );
-  return element(
-    "div",
-    { class: "table" },
-    element(
-      "table",
-      {},
-      head(["Name", false], ["By", false], ["Route", false], ["Length", true], ["Size", true]),
-      element("tbody", {}, ...rows),
-    ),
-  );
+  const about = (words: string) => element("p", { class: "about" }, words);
+  if (!sessions) return about(text.sessions.loading);
+  if (sessions.length === 0) return about(text.sessions.none);
+  const found = sessions.filter(({ name }) => name.toLowerCase().includes(wanted.toLowerCase()));
+  if (found.length === 0) return about(text.sessions.no_match);
+  const rows = found.map((session) => row(session, session.name === chosen, () => choose(session.name)));
+  return element("table", {}, head(), element("tbody", {}, ...rows));
 }

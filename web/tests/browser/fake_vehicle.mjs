@@ -113,7 +113,12 @@ export class FakeVehicle {
       "sessions/info",
       "buildings/list",
       "replay/start",
+      "replay/play",
+      "replay/pause",
+      "replay/seek",
+      "replay/rate",
       "replay/stop",
+      "mission/trail",
     ]) {
       this.services.set(
         this.#server.addService({ name, type: name, requestSchema: "", responseSchema: "" }),

@@ -15,7 +15,7 @@ import {
   until,
 } from "./browser.mjs";
 import { make_certificate } from "./certificate.mjs";
-import { Watcher, start_live } from "./watcher.mjs";
+import { Watcher, hold, start_live } from "./watcher.mjs";
 
 /** The vehicle's maximum reaction time, by its own clock. */
 const reaction_max_s = 0.3;
@@ -75,9 +75,9 @@ test("The emergency stop stops a vehicle that is driven by hand", async () => {
   const pressed_s = watcher.now_s;
   await page.keyboard.press("Escape");
   assert.ok((await watcher.stop_commanded_s(pressed_s)) <= pressed_s + reaction_max_s);
-  await page.getByText("Emergency stop", { exact: true }).waitFor();
+  await page.getByText("STOPPED", { exact: true }).waitFor();
   await page.keyboard.up("ArrowUp");
-  await page.getByRole("button", { name: "Release" }).click();
+  await hold(page, "Release");
   await page.getByText("l-corridor: waiting").waitFor();
 });
 
@@ -125,6 +125,9 @@ test("A route taught with the arrow keys is learned and driven", { timeout: 1200
   await page.keyboard.down("ArrowUp");
   await until(() => (watcher.latest("/odom")?.message.pose.pose.position.x ?? 0) > 2, "two metres", 60000);
   await page.keyboard.up("ArrowUp");
+  await page.getByRole("textbox", { name: "Name or number of the mark" }).fill("printer");
+  await page.getByRole("button", { name: "Place", exact: true }).click();
+  await page.getByText("Marked: place").waitFor();
   await page.getByRole("button", { name: "Route ends" }).click();
   await page.getByText("Marked: stop").waitFor();
   await page.getByRole("button", { name: "Finish" }).click();
@@ -153,13 +156,21 @@ test("A session is listed and replayed, and its building is edited", async () =>
   await page.getByRole("link", { name: "taught-1_0.db3" }).waitFor();
   await page.getByRole("button", { name: "Replay", exact: true }).click();
   await page.getByText(/^[1-9]\.\d of \d/).waitFor();
-  await page.locator(".sessions-replay canvas[data-stamp-s]").waitFor();
+  const picture = page.locator(".sessions-replay canvas[data-stamp-s]");
+  const shown_s = async () => Number(await picture.getAttribute("data-stamp-s"));
+  await until(async () => (await shown_s()) > 1, "a picture");
+  await page.getByRole("button", { name: "Pause" }).click();
+  await page.getByRole("button", { name: "Play", exact: true }).waitFor();
+  await page.getByRole("slider", { name: "Time" }).press("Home");
+  await until(async () => (await shown_s()) < 1, "the picture at the beginning");
+  await page.getByText(/^0\.0 of \d/).waitFor();
   await keep_screenshot(page, "sessions-dark");
   await page.getByRole("button", { name: "End the replay" }).click();
   await page.getByText("l-corridor: waiting").waitFor();
 
   await page.getByRole("link", { name: "Building" }).click();
-  await page.getByText(/landmarks, 1 route/).waitFor();
+  await page.getByText(/landmarks, 1 route, 1 place/).waitFor();
+  await page.getByText("printer").waitFor();
   await page.getByLabel("Tool").selectOption("place");
   await page.getByRole("img", { name: "Plan of the building", exact: true }).click();
   await page.getByLabel("Name of the place").fill("desk");
@@ -196,14 +207,19 @@ test("Over https the page uses wss, and it asks for a missing token", async () =
   const trusting = { ...desktop, ignoreHTTPSErrors: true };
   const outside = await open_page(browser, guarded.address, trusting);
   await outside.getByText("Not connected").waitFor();
+  await outside.getByText("This vehicle asks for its token.").waitFor();
   await outside.getByLabel("Token of this vehicle").fill("fedcba9876543210");
   await outside.getByRole("button", { name: "Enter" }).click();
-  await outside.waitForURL(/fedcba/);
+  await outside.getByText("This token is wrong.").waitFor();
   await outside.getByLabel("Token of this vehicle").fill("0123456789abcdef");
   await outside.getByRole("button", { name: "Enter" }).click();
   await outside.locator(".camera-panel canvas[data-stamp-s]").waitFor();
   await outside.getByRole("link", { name: "Building" }).click();
   await outside.getByText("No building yet").waitFor();
+  const opened = await open_page(browser, `${guarded.address}?token=0123456789abcdef`, trusting);
+  await opened.locator(".camera-panel canvas[data-stamp-s]").waitFor();
+  assert.equal(new URL(opened.url()).search, "");
+  await opened.context().close();
   await outside.context().close();
   assert.equal(await guarded.stop(), 130);
 });

@@ -58,19 +58,40 @@ export class Watcher {
   }
 }
 
-/** Starts `aisle live WORLD` on a free port. @returns {address, stop} */
-export async function start_live(world, directory, ...options) {
-  const program = process.env.AISLE;
-  const process_of = spawn(program, ["live", world, "--port", "0", "--out", directory, ...options]);
+/** Presses a button until it has acted and is gone. */
+export async function hold(page, name) {
+  const button = page.getByRole("button", { name, exact: true });
+  await button.hover();
+  await page.mouse.down();
+  await button.waitFor({ state: "hidden" });
+  await page.mouse.up();
+}
+
+async function start(program_arguments) {
+  const process_of = spawn(process.env.AISLE, program_arguments);
   let log = "";
   process_of.stderr.on("data", (data) => (log += data));
+  process_of.stdout.resume();
   await until(() => /live: (\S+)/.test(log) || process_of.exitCode !== null, "the server's address");
   const address = /live: (\S+)/.exec(log)?.[1];
-  if (!address) throw new Error(`aisle live ended: ${log}`);
-  const stop = async () => {
-    process_of.kill("SIGINT");
+  if (!address) throw new Error(`aisle ended: ${log}`);
+  const ended = async () => {
     await until(() => process_of.exitCode !== null || process_of.signalCode !== null, "the server's end");
     return process_of.exitCode;
   };
-  return { address, stop };
+  const stop = () => {
+    process_of.kill("SIGINT");
+    return ended();
+  };
+  return { address, stop, ended };
+}
+
+/** Starts `aisle live WORLD` on a free port. @returns {address, stop, ended} */
+export function start_live(world, directory, ...options) {
+  return start(["live", world, "--port", "0", "--out", directory, ...options]);
+}
+
+/** Starts a verb with `--live` on a free port. @returns {address, stop, ended} */
+export function start_watched(program_arguments) {
+  return start([...program_arguments, "--live", "--port", "0"]);
 }

@@ -5,8 +5,8 @@ import { rgba_of } from "../../src/camera/image";
 import { fresh_name, mission_forms, start_request } from "../../src/drive/mission_forms";
 import { vehicle_shape } from "../../src/drive/vehicle_text";
 import { command_of, strongest } from "../../src/drive/drive_request";
-import { status_of } from "../../src/page/status";
-import { figure_lines, short_bytes, short_duration } from "../../src/sessions/session_figures";
+import { short_duration, status_of } from "../../src/page/status";
+import { figure_lines, short_bytes } from "../../src/sessions/session_figures";
 import type { LiveState } from "../../src/connection/live_state";
 import idle_state from "../idle_state.json";
 
@@ -62,12 +62,20 @@ test("Grey and colour images become RGBA pixels, row by row", () => {
 });
 
 const state = idle_state as LiveState;
-const input = { connection: "connected" as const, silent_s: 0.2, state, drives_here: false };
+const input = { connection: "connected" as const, silent_s: 0.2, state, drives_here: false, at: undefined };
 
 test("The status line says when the shown data are old", () => {
   assert.equal(status_of(input).lamp, "good");
   assert.match(status_of({ ...input, silent_s: 4 }).text, /no message for 4 s/);
   assert.match(status_of({ ...input, connection: "lost" }).text, /Not connected/);
+});
+
+test("The status line says how far, how long and where, and that a program has ended", () => {
+  const driving = { ...state, mode: "mission" as const, mission: "explore", distance_m: 12.34, stamp_s: 75 };
+  const { text } = status_of({ ...input, state: driving, at: { x: 3.21, y: -1 } });
+  assert.match(text, /explore; nobody holds the controls · 12\.3 m · 1:15 · 3\.2, -1\.0 m$/);
+  const gone = status_of({ ...input, connection: "lost", state: { ...driving, mode: "ended" } });
+  assert.deepEqual(gone, { lamp: "busy", text: "explore has ended and its program is gone" });
 });
 
 test("The status line says who drives", () => {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "aisle/commands/connected_robot.hpp"
@@ -16,6 +17,7 @@
 #include "aisle/missions/exploration/exploration_mission.hpp"
 #include "aisle/missions/exploration/explorer_driver.hpp"
 #include "aisle/missions/statistics.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "exploration/exploration_check.hpp"
 #include "exploration/exploring_start.hpp"
 
@@ -227,15 +229,30 @@ Result<ExplorationPlan> read_exploration_plan(const ExploreOptions& options, Sim
   return plan;
 }
 
+/// Whether the vehicle was where this world has no room for it, more often than where it brushed something.
+bool drove_elsewhere(const SimulationSetting& setting, const std::vector<Pose2>& T_world_vehicle) {
+  constexpr std::size_t kLooks = 200, kBrushesMax = 4;
+  const std::size_t step = std::max<std::size_t>(1, T_world_vehicle.size() / kLooks);
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < T_world_vehicle.size(); i += step)
+    outside += !fits(setting.world, setting.vehicle.description.footprint, T_world_vehicle[i]);
+  return outside > kBrushesMax;
+}
+
 Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, const ExplorationPlan& plan,
                                             Console& console) {
   SessionOrigin origin = explorer_origin(plan.params, choice_of(options));
   origin.seed = options.seed;
   auto former = former_run(options, origin, true);
   if (!former) return former.problems();
+  if (*former && drove_elsewhere(plan.setting, (*former)->T_world_vehicle))
+    return Problem{{options.resumed.string()},
+                   fmt::format("its path goes through walls of '{}': it was driven in another world",
+                               plan.setting.world.name)};
   SimulatedVehicle vehicle = vehicle_in(
       plan.setting, *former ? (*former)->T_world_vehicle.back() : plan.T_world_start, options.seed);
-  auto session = open_session(options.session, options.force, vehicle, &vehicle, origin, console.watcher);
+  auto session = open_session(options.session, options.force, options.storage, vehicle, &vehicle, origin,
+                              console.watcher);
   if (!session) return session.problems();
   auto explored =
       explore_world({options, plan.params, console.progress}, plan, vehicle, std::move(*former), *session);
@@ -254,6 +271,9 @@ Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, const
     if (!nearest) return nearest.problems();
     result.outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m(), 3);
     result.outcome.figures["nearest_frontier_certificate"] = has_certificate(*nearest);
+    result.outcome.text += fmt::format("nearest frontier, in the same world: {:.0f} m of path, {}\n",
+                                       nearest->mission.distance_m(),
+                                       has_certificate(*nearest) ? "explored as well" : "not all explored");
   }
   return result;
 }
@@ -268,8 +288,8 @@ Result<JudgedExploration> explore_with_robot(const ExploreOptions& options, Cons
   auto robot = connect_robot(options.connection, DrivenBy::kScanner, console);
   if (!robot) return robot.problems();
   ConnectedVehicle& vehicle = *(*robot)->vehicle;
-  auto session =
-      open_session(options.session, options.force, vehicle, nullptr, origin, (*robot)->viewer.get());
+  auto session = open_session(options.session, options.force, options.storage, vehicle, nullptr, origin,
+                              (*robot)->viewer.get());
   if (!session) return session.problems();
   auto explored =
       explore_once({options, params, console.progress}, vehicle, nullptr, std::move(*former), *session);

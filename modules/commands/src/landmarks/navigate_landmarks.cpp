@@ -112,8 +112,8 @@ Result<Outcome> navigate_by_landmarks(const NavigateOptions& options, const Land
   const auto mission = read_navigation(options, params, console);
   if (!mission) return mission.problems();
   DrivenVehicle& driven = *mission->driven;
-  auto session = open_session(options.out, options.force, driven.vehicle(), driven.truth(), mission->origin,
-                              driven.watcher(console));
+  auto session = open_session(options.out, options.force, options.storage, driven.vehicle(), driven.truth(),
+                              mission->origin, driven.watcher(console));
   if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();

@@ -30,6 +30,7 @@ struct RoomDrive {
   std::optional<double> from_end_m;  ///< initial pose so far before the route's end; none: at its start
   std::filesystem::path out;
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;
 };
 
 /// Where a simulated vehicle is due to end.
@@ -113,8 +114,8 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
                              .route = route->name};
   const auto navigator = make_room_navigator(origin, driven.description());
   if (!navigator) return at_file(navigator.problems(), file);
-  auto session =
-      open_session(drive.out, drive.force, driven.vehicle(), driven.truth(), origin, driven.watcher(console));
+  auto session = open_session(drive.out, drive.force, drive.storage, driven.vehicle(), driven.truth(), origin,
+                              driven.watcher(console));
   if (!session) return session.problems();
   auto mission =
       drive_room_mission(driven.vehicle(), driven.truth(), **navigator, *session, console.progress);
@@ -143,7 +144,8 @@ Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriv
                      .T_world_start = {},
                      .from_end_m = {},
                      .out = options.out,
-                     .force = options.force},
+                     .force = options.force,
+                     .storage = options.storage},
                     params, console);
 }
 
@@ -170,7 +172,8 @@ Result<Outcome> run_park(const ParkOptions& options, Console& console) {
                      .T_world_start = options.T_world_start,
                      .from_end_m = kUsualStart_m,
                      .out = options.out,
-                     .force = options.force},
+                     .force = options.force,
+                     .storage = options.storage},
                     params, console);
 }
 

@@ -86,8 +86,8 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   if (!navigator) return at_file(navigator.problems(), file);
   const auto place = set_down_at_start(options, (*navigator)->path().at(0).T_map_path, driven);
   if (!place) return place.problems();
-  auto session = open_session(options.out, options.force, driven.vehicle(), driven.truth(), origin,
-                              driven.watcher(console));
+  auto session = open_session(options.out, options.force, options.storage, driven.vehicle(), driven.truth(),
+                              origin, driven.watcher(console));
   if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();

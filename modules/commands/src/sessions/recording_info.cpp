@@ -34,7 +34,7 @@ std::string what_reads(const BagOverview& overview) {
   };
   std::vector<std::string> verbs;
   if (has("scan")) verbs.emplace_back("`aisle map` maps its scans");
-  if (has("camera")) verbs.emplace_back("`aisle import` makes a session of its images");
+  if (has("camera") || has("scan")) verbs.emplace_back("`aisle import` makes a session of it");
   return verbs.empty() ? "nothing in it is of use here" : fmt::format("{}", fmt::join(verbs, ", "));
 }
 

@@ -111,7 +111,7 @@ Result<Outcome> run_session_cut(const SessionCutOptions& options, Console& conso
   auto reader = SessionReader::open(options.session);
   if (!reader) return reader.problems();
   if (options.from_s > summary->duration_s()) return nothing_in(options, *summary);
-  auto writer = SessionWriter::create(options.out, options.force);
+  auto writer = SessionWriter::create(options.out, options.force, options.storage);
   if (!writer) return writer.problems();
 
   NewSession cut(std::move(*writer));

@@ -61,7 +61,7 @@ nlohmann::ordered_json origin_json(const SessionCycles& cycles) {
 std::string imported_text(const SessionOrigin& origin, const VehicleDescription& vehicle) {
   return fmt::format("imported, {} odometry; {}\n", origin.has_odometry ? "with" : "without",
                      origin.has_calibration ? fmt::format("vehicle '{}'", vehicle.name)
-                                            : "the camera's lens and mount are not known");
+                                            : "how its sensors sit is not known");
 }
 
 std::string origin_text(const SessionCycles& cycles) {
@@ -121,6 +121,7 @@ Result<Outcome> run_session_info(const SessionInfoOptions& options, Console& con
   if (!summary && may_be_session(options.input)) return summary.problems();
   const auto cycles = SessionCycles::open(options.input);
   if (!cycles) return recording_info(options.input, console);
+  if (!summary) return summary.problems();
 
   Outcome outcome{.verb = "info"};
   outcome.figures = {{"duration_s", summary->duration_s()},

@@ -91,7 +91,8 @@ SessionOrigin driver_of(const SessionOrigin& recorded, const std::string& naviga
 
 /// Nobody decided in an imported session, so there is nothing to compare with; and a navigator that drives
 /// needs to know how the vehicle moved, and what its camera is.
-Problems check_imported(const SessionReplayOptions& options, const SessionOrigin& origin) {
+Problems check_imported(const SessionReplayOptions& options, const SessionCycles& cycles) {
+  const SessionOrigin& origin = cycles.origin();
   const Place session{options.session.string()};
   if (options.navigator.empty() || options.navigator == kImportedNavigator) {
     return {{session,
@@ -99,8 +100,10 @@ Problems check_imported(const SessionReplayOptions& options, const SessionOrigin
              "it, aisle live shows it"}};
   }
   if (!origin.has_odometry) return {{session, "has no odometry, without which no navigator can decide"}};
-  if (!origin.has_calibration)
-    return {{session, "tells nothing of its camera's lens and mount: import it with --vehicle"}};
+  if (!origin.has_calibration) {
+    const char* unknown = cycles.vehicle().cameras.empty() ? "its scanner's place" : "how its sensors sit";
+    return {{session, fmt::format("tells nothing of {}: import it with --vehicle", unknown)}};
+  }
   return {};
 }
 
@@ -111,7 +114,7 @@ Result<Outcome> run_session_replay(const SessionReplayOptions& options, Console&
   if (!cycles) return cycles.problems();
   const bool is_imported = cycles->origin().navigator == kImportedNavigator;
   if (is_imported) {
-    if (Problems problems = check_imported(options, cycles->origin()); !problems.empty()) return problems;
+    if (Problems problems = check_imported(options, *cycles); !problems.empty()) return problems;
   }
   const SessionOrigin driver = driver_of(cycles->origin(), options.navigator);
   const auto navigator = make_navigator(driver, cycles->vehicle());

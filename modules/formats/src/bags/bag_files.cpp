@@ -9,6 +9,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "natural_order.hpp"
 #include "sessions/session_files.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;
@@ -24,7 +25,7 @@ struct BagMetadata {
 
 /// What metadata.yaml of any version says of the files. The rest is in the files themselves.
 Result<BagMetadata> parse_metadata(const std::string& text, const std::string& name) try {
-  const YAML::Node root = YAML::Load(text);
+  const YAML::Node root = load_yaml(text);
   const YAML::Node bag = root.IsMap() ? root["rosbag2_bagfile_information"] : YAML::Node();
   if (!bag || !bag.IsMap())
     return Problem{{name, 0, "rosbag2_bagfile_information"}, "is missing: this is not a bag's metadata"};

@@ -77,10 +77,13 @@ LaserScan log_scan(BagScan& from, const LaserScanner& laser, double first_s) {
 
 }  // namespace
 
-void fill_log(LaserLog& log, std::vector<std::vector<BagScan>>& scans, const std::vector<std::string>& topics,
-              const BagMotion& motion, const std::string& file, Problems& warnings) {
+std::vector<double> fill_log(LaserLog& log, std::vector<std::vector<BagScan>>& scans,
+                             const std::vector<std::string>& topics, const BagMotion& motion,
+                             const std::string& image_topic, const std::vector<MessageTime>& images,
+                             const std::string& file, Problems& warnings) {
   std::vector<MessageStream> streams;
   for (std::size_t i = 0; i < scans.size(); ++i) streams.push_back(stream_of(topics[i], scans[i]));
+  if (!images.empty()) streams.push_back({image_topic, images});
   streams.push_back(stream_of(motion.source, motion.poses));
   const std::vector<std::vector<double>> times_s = stream_times_s(streams, file, warnings);
   const bool by_topic = is_by_topic(streams);
@@ -114,6 +117,7 @@ void fill_log(LaserLog& log, std::vector<std::vector<BagScan>>& scans, const std
     scan.odometry_known = static_cast<std::size_t>(known - odometry_places.begin());
     log.scans.push_back(std::move(scan));
   }
+  return images.empty() ? std::vector<double>() : times_s[scans.size()];
 }
 
 }  // namespace aisle

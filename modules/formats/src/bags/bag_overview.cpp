@@ -10,26 +10,6 @@ namespace {
 
 constexpr std::size_t kFramesMax = 20;
 
-std::string served_by(const BagTopic& topic) {
-  if (is_truth(topic)) return "not read";
-  switch (use_of(topic)) {
-    case TopicUse::kScan:
-      return "scan";
-    case TopicUse::kOdometry:
-    case TopicUse::kPose:
-      return "odometry";
-    case TopicUse::kImages:
-      return "camera";
-    case TopicUse::kCalibration:
-      return "lens";
-    case TopicUse::kTransforms:
-      return "mounts";
-    case TopicUse::kNone:
-      break;
-  }
-  return "not read";
-}
-
 std::string arrow(const std::string& parent, const std::string& child) {
   return frame_name(parent) + (child.empty() ? "" : " -> " + frame_name(child));
 }
@@ -60,6 +40,26 @@ void add(const BagReader::Message& message, long count, BagOverview::Topic& topi
 }
 
 }  // namespace
+
+std::string served_by(const BagTopic& topic) {
+  if (is_truth(topic)) return "not read";
+  switch (use_of(topic)) {
+    case TopicUse::kScan:
+      return "scan";
+    case TopicUse::kOdometry:
+    case TopicUse::kPose:
+      return "odometry";
+    case TopicUse::kImages:
+      return "camera";
+    case TopicUse::kCalibration:
+      return "lens";
+    case TopicUse::kTransforms:
+      return "mounts";
+    case TopicUse::kNone:
+      break;
+  }
+  return "not read";
+}
 
 Result<BagOverview> bag_overview(const std::filesystem::path& path) {
   auto bag = BagReader::open(path);

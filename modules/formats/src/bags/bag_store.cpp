@@ -10,6 +10,7 @@
 #include "bags/sqlite_store.hpp"
 #include "bags/unpacking.hpp"
 #include "bags/unpacking_directory.hpp"
+#include "mcap_records.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;
@@ -95,8 +96,7 @@ bool is_store(const fs::path& path) {
   auto file = ByteStream::open(path);
   if (!file) return false;
   const std::string_view start = file->peek(SqliteStore::kMagic.size());
-  return start == SqliteStore::kMagic || start.starts_with(McapStore::kMagic) ||
-         start.starts_with("#ROSBAG V");
+  return start == SqliteStore::kMagic || start.starts_with(kMcapMagic) || start.starts_with("#ROSBAG V");
 }
 
 Result<std::unique_ptr<BagStore>> open_store(const fs::path& path, TopicTable& topics) {
@@ -104,7 +104,7 @@ Result<std::unique_ptr<BagStore>> open_store(const fs::path& path, TopicTable& t
   if (!file) return file.problems();
   const std::string start(file->peek(SqliteStore::kMagic.size()));
   if (start == SqliteStore::kMagic) return SqliteStore::open(path, topics);
-  if (start.starts_with(McapStore::kMagic))
+  if (start.starts_with(kMcapMagic))
     return std::unique_ptr<BagStore>(std::make_unique<McapStore>(path, topics, std::move(*file)));
   if (start.starts_with(Ros1Store::kMagic))
     return std::unique_ptr<BagStore>(std::make_unique<Ros1Store>(path, topics, std::move(*file)));

@@ -1,13 +1,12 @@
 #include "bags/byte_stream.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <utility>
+
+#include "input_file.hpp"
 
 namespace aisle {
 namespace {
@@ -26,13 +25,11 @@ char* Buffer::room(std::size_t bytes) {
 }
 
 Result<ByteStream> ByteStream::open(const std::filesystem::path& path) {
+  auto file = InputFile::open(path);
+  if (!file) return file.problems();
   ByteStream stream;
-  stream.file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat state {};
-  if (stream.file_ < 0 || ::fstat(stream.file_, &state) != 0)
-    return Problem{{path.string()}, fmt::format("cannot be read: {}", std::strerror(errno))};
-  if (!S_ISREG(state.st_mode)) return Problem{{path.string()}, "is not a file"};
-  stream.end_ = static_cast<std::uint64_t>(state.st_size);
+  stream.end_ = file->bytes();
+  stream.file_ = file->release();
   return stream;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bags/bag_log.hpp"
-#include "bags/bag_streams.hpp"
+#include "bags/bag_recording.hpp"
 #include "bags/motion_choice.hpp"
 #include "bags/scanner_mount.hpp"
 
@@ -91,37 +91,50 @@ Problems settle_scans(BagStreams& streams, const std::vector<std::string>& topic
 
 }  // namespace
 
+Result<BagRecording> read_bag_recording(BagReader& bag, const TopicChoice& choice,
+                                        const RecordingOptions& options, const std::string& file) {
+  BagRecording recording;
+  Problems& warnings = recording.lasers.warnings;
+  auto streams = read_streams(bag, choice, file, warnings);
+  if (!streams) return streams.problems();
+  std::vector<std::string> topics;
+  for (const std::size_t topic : choice.scans) topics.push_back(bag.topics()[topic].name);
+  if (Problems problems = settle_scans(*streams, topics, file, warnings); !problems.empty()) return problems;
+  const BagMotion motion = choose_motion(*streams, choice, options.odometry, file, warnings);
+  LaserLog& log = recording.lasers.log;
+  log.lasers.resize(std::max<std::size_t>(1, topics.size()));
+  recording.base = base_frame(motion, streams->transforms);
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    const bool is_mounted = mount_scanner(streams->transforms, recording.base, streams->scans[i],
+                                          log.lasers[i], {{file, 0, topics[i]}, {}}, warnings);
+    if (i == 0) recording.lasers.has_mounting = is_mounted;
+  }
+  if (options.T_vehicle_laser) {
+    log.laser().T_vehicle_laser = *options.T_vehicle_laser;
+    recording.lasers.has_mounting = true;
+  }
+  recording.images = std::move(streams->images);
+  recording.transforms = std::move(streams->transforms);
+  recording.image_times_s =
+      fill_log(log, streams->scans, topics, motion, choice.images ? bag.topics()[*choice.images].name : "",
+               recording.images.times, file, warnings);
+  return recording;
+}
+
 Result<LaserRecording> read_laser_bag(const std::filesystem::path& path, const RecordingOptions& options) {
   const std::string file = path.string();
   auto bag = BagReader::open(path);
   if (!bag) return bag.problems();
-  LaserRecording recording;
-  const auto choice = choose_topics(*bag, options, file, recording.warnings);
+  Problems choices;
+  const auto choice = choose_topics(*bag, options, file, choices);
   if (!choice) return joined(choice.problems(), bag->warnings());
-  auto streams = read_streams(*bag, *choice, file, recording.warnings);
-  if (!streams) return streams.problems();
-  std::vector<std::string> topics;
-  for (const std::size_t topic : choice->scans) topics.push_back(bag->topics()[topic].name);
-  if (Problems problems = settle_scans(*streams, topics, file, recording.warnings); !problems.empty())
-    return problems;
-  const BagMotion motion = choose_motion(*streams, *choice, options.odometry, file, recording.warnings);
-  if (motion.poses.empty() && options.odometry != "none")
-    recording.warnings.push_back({{file}, "has no odometry; the scans alone tell how the vehicle moved"});
-  recording.log.lasers.resize(topics.size());
-  const std::string base = base_frame(motion, streams->transforms);
-  for (std::size_t i = 0; i < topics.size(); ++i) {
-    const bool is_mounted =
-        mount_scanner(streams->transforms, base, streams->scans[i], recording.log.lasers[i],
-                      {{file, 0, topics[i]}, {}}, recording.warnings);
-    if (i == 0) recording.has_mounting = is_mounted;
-  }
-  if (options.T_vehicle_laser) {
-    recording.log.laser().T_vehicle_laser = *options.T_vehicle_laser;
-    recording.has_mounting = true;
-  }
-  fill_log(recording.log, streams->scans, topics, motion, file, recording.warnings);
-  recording.warnings = joined(bag->warnings(), recording.warnings);
-  return recording;
+  auto recording = read_bag_recording(*bag, *choice, options, file);
+  if (!recording) return recording.problems();
+  LaserRecording& lasers = recording->lasers;
+  if (lasers.log.odometry.empty() && options.odometry != "none")
+    lasers.warnings.push_back({{file}, "has no odometry; the scans alone tell how the vehicle moved"});
+  lasers.warnings = joined(bag->warnings(), joined(choices, lasers.warnings));
+  return std::move(lasers);
 }
 
 }  // namespace aisle

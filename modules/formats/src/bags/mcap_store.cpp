@@ -4,25 +4,13 @@
 
 #include <utility>
 
+#include "mcap_records.hpp"
 #include "sessions/session_metadata.hpp"
 
 namespace aisle {
 namespace {
 
-enum McapOpcode : std::uint8_t {
-  kFooter = 2,
-  kSchema = 3,
-  kChannel = 4,
-  kMessage = 5,
-  kChunk = 6,
-  kStatistics = 11,
-  kDataEnd = 15
-};
-
-constexpr std::size_t kRecordHead_bytes = 9;    ///< opcode and length
-constexpr std::size_t kMessageHead_bytes = 22;  ///< channel, sequence, log and publish time
-constexpr std::size_t kChunkHead_bytes = 32;    ///< first and last time, size, checksum, length of a name
-constexpr std::size_t kFooter_bytes = 20;
+constexpr std::size_t kChunkHead_bytes = 32;  ///< first and last time, size, checksum, length of a name
 constexpr std::size_t kDescriptionMax_bytes = std::size_t{16} << 20;  ///< of a schema or channel
 constexpr std::size_t kSummaryMax_bytes = std::size_t{64} << 20;
 
@@ -67,7 +55,7 @@ bool is_latched_channel(std::string_view map) {
 }  // namespace
 
 McapStore::McapStore(const std::filesystem::path& path, TopicTable& topics, ByteStream file)
-    : RecordStore(path, topics, std::move(file), kMagic.size()) {}
+    : RecordStore(path, topics, std::move(file), kMcapMagic.size()) {}
 
 Result<BagStore::Survey> McapStore::survey() {
   std::optional<Survey> told = summary();
@@ -77,34 +65,34 @@ Result<BagStore::Survey> McapStore::survey() {
 }
 
 RecordStore::Step McapStore::read_record(ByteStream& bytes, std::uint64_t left, StoredMessage& message) {
-  const std::string_view head = bytes.peek(kRecordHead_bytes);
-  if (left < kRecordHead_bytes || head.size() < kRecordHead_bytes) return Step::kCut;
+  const std::string_view head = bytes.peek(kMcapRecordHead_bytes);
+  if (left < kMcapRecordHead_bytes || head.size() < kMcapRecordHead_bytes) return Step::kCut;
   const auto opcode = static_cast<std::uint8_t>(head[0]);
   const auto size = number_at<std::uint64_t>(head, 1);
   if (opcode == 0) return Step::kDamaged;
-  if (opcode == kChunk && &bytes == &file()) return read_chunk(bytes, left);
-  if (size > left - kRecordHead_bytes) return Step::kCut;
-  if (opcode == kMessage) return read_message(bytes, size, message);
-  if (opcode == kDataEnd || opcode == kFooter) {
+  if (opcode == mcap::kChunk && &bytes == &file()) return read_chunk(bytes, left);
+  if (size > left - kMcapRecordHead_bytes) return Step::kCut;
+  if (opcode == mcap::kMessage) return read_message(bytes, size, message);
+  if (opcode == mcap::kDataEnd || opcode == mcap::kFooter) {
     end_seen_ = true;
     return Step::kEnd;
   }
-  if ((opcode == kSchema || opcode == kChannel) && size <= kDescriptionMax_bytes) {
-    const std::string_view record = bytes.peek(kRecordHead_bytes + static_cast<std::size_t>(size));
-    if (record.size() < kRecordHead_bytes + size) return Step::kCut;
-    opcode == kSchema ? read_schema(record.substr(kRecordHead_bytes))
-                      : read_channel(record.substr(kRecordHead_bytes));
+  if ((opcode == mcap::kSchema || opcode == mcap::kChannel) && size <= kDescriptionMax_bytes) {
+    const std::string_view record = bytes.peek(kMcapRecordHead_bytes + static_cast<std::size_t>(size));
+    if (record.size() < kMcapRecordHead_bytes + size) return Step::kCut;
+    opcode == mcap::kSchema ? read_schema(record.substr(kMcapRecordHead_bytes))
+                            : read_channel(record.substr(kMcapRecordHead_bytes));
   }
-  bytes.skip(kRecordHead_bytes + size);
+  bytes.skip(kMcapRecordHead_bytes + size);
   return Step::kOther;
 }
 
 RecordStore::Step McapStore::read_chunk(ByteStream& bytes, std::uint64_t left) {
-  const std::size_t fixed = kRecordHead_bytes + kChunkHead_bytes;
+  const std::size_t fixed = kMcapRecordHead_bytes + kChunkHead_bytes;
   const std::string_view head = bytes.peek(fixed + 64);
   if (head.size() < fixed || left < fixed) return Step::kCut;
-  const auto size = number_at<std::uint64_t>(head, kRecordHead_bytes + 16);
-  const auto name_bytes = number_at<std::uint32_t>(head, kRecordHead_bytes + 28);
+  const auto size = number_at<std::uint64_t>(head, kMcapRecordHead_bytes + 16);
+  const auto name_bytes = number_at<std::uint32_t>(head, kMcapRecordHead_bytes + 28);
   if (name_bytes > 32) return Step::kDamaged;
   if (left < fixed + name_bytes + 8 || head.size() < fixed + name_bytes + 8) return Step::kCut;
   const std::string compression(head.substr(fixed, name_bytes));
@@ -114,18 +102,18 @@ RecordStore::Step McapStore::read_chunk(ByteStream& bytes, std::uint64_t left) {
 }
 
 RecordStore::Step McapStore::read_message(ByteStream& bytes, std::uint64_t size, StoredMessage& message) {
-  const std::string_view head = bytes.peek(kRecordHead_bytes + kMessageHead_bytes);
-  if (size < kMessageHead_bytes) return Step::kDamaged;
-  if (head.size() < kRecordHead_bytes + kMessageHead_bytes) return Step::kCut;
-  const auto channel = channels_.find(number_at<std::uint16_t>(head, kRecordHead_bytes));
-  const auto stamp = static_cast<ros::Stamp_ns>(number_at<std::uint64_t>(head, kRecordHead_bytes + 6));
+  const std::string_view head = bytes.peek(kMcapRecordHead_bytes + kMcapMessageHead_bytes);
+  if (size < kMcapMessageHead_bytes) return Step::kDamaged;
+  if (head.size() < kMcapRecordHead_bytes + kMcapMessageHead_bytes) return Step::kCut;
+  const auto channel = channels_.find(number_at<std::uint16_t>(head, kMcapRecordHead_bytes));
+  const auto stamp = static_cast<ros::Stamp_ns>(number_at<std::uint64_t>(head, kMcapRecordHead_bytes + 6));
   if (channel == channels_.end()) warn("messages whose channel is not described are left out");
   if (channel == channels_.end() || channel->second == kUnread) {
-    bytes.skip(kRecordHead_bytes + size);
+    bytes.skip(kMcapRecordHead_bytes + size);
     return Step::kOther;
   }
-  bytes.skip(kRecordHead_bytes + kMessageHead_bytes);
-  return take_message(bytes, channel->second, stamp, size - kMessageHead_bytes, message);
+  bytes.skip(kMcapRecordHead_bytes + kMcapMessageHead_bytes);
+  return take_message(bytes, channel->second, stamp, size - kMcapMessageHead_bytes, message);
 }
 
 void McapStore::read_schema(std::string_view record) {
@@ -154,14 +142,14 @@ void McapStore::read_channel(std::string_view record) {
 }
 
 std::optional<BagStore::Survey> McapStore::summary() {
-  const std::size_t end_bytes = kRecordHead_bytes + kFooter_bytes + kMagic.size();
-  if (file().size() < kMagic.size() + end_bytes) return std::nullopt;
+  const std::size_t end_bytes = kMcapRecordHead_bytes + kMcapFooter_bytes + kMcapMagic.size();
+  if (file().size() < kMcapMagic.size() + end_bytes) return std::nullopt;
   file().seek(file().size() - end_bytes);
   const std::string_view end = file().peek(end_bytes);
-  if (end.size() < end_bytes || end[0] != kFooter || !end.ends_with(kMagic)) return std::nullopt;
-  const auto begin = number_at<std::uint64_t>(end, kRecordHead_bytes);
+  if (end.size() < end_bytes || end[0] != mcap::kFooter || !end.ends_with(kMcapMagic)) return std::nullopt;
+  const auto begin = number_at<std::uint64_t>(end, kMcapRecordHead_bytes);
   const std::uint64_t stop = file().size() - end_bytes;
-  if (begin < kMagic.size() || begin >= stop || stop - begin > kSummaryMax_bytes) return std::nullopt;
+  if (begin < kMcapMagic.size() || begin >= stop || stop - begin > kSummaryMax_bytes) return std::nullopt;
   file().seek(begin);
   McapFields records(file().peek(static_cast<std::size_t>(stop - begin)));
   std::string_view statistics;
@@ -170,9 +158,9 @@ std::optional<BagStore::Survey> McapStore::summary() {
     const auto size = records.number<std::uint64_t>();
     if (records.is_short() || size > records.rest().size()) return std::nullopt;
     const std::string_view record = records.rest().substr(0, static_cast<std::size_t>(size));
-    if (opcode == kSchema) read_schema(record);
-    if (opcode == kChannel) read_channel(record);
-    if (opcode == kStatistics) statistics = record;
+    if (opcode == mcap::kSchema) read_schema(record);
+    if (opcode == mcap::kChannel) read_channel(record);
+    if (opcode == mcap::kStatistics) statistics = record;
     records = McapFields(records.rest().substr(record.size()));
   }
   McapFields fields(statistics);

@@ -11,8 +11,6 @@ namespace aisle {
 /// An MCAP file (mcap.dev), with or without its summary.
 class McapStore : public RecordStore {
  public:
-  static constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
-
   McapStore(const std::filesystem::path& path, TopicTable& topics, ByteStream file);
 
   Result<Survey> survey() override;

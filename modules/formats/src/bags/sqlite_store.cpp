@@ -7,35 +7,6 @@
 namespace aisle {
 namespace fs = std::filesystem;
 
-namespace {
-
-/// The journals that SQLite would merge into a database when it opens it.
-std::vector<std::string> journals_of(const fs::path& database) {
-  std::vector<std::string> found;
-  for (const char* ending : {"-wal", "-journal"}) {
-    std::error_code error;
-    const auto bytes = fs::file_size(database.string() + ending, error);
-    if (!error && bytes > 0) found.emplace_back(ending);
-  }
-  return found;
-}
-
-Result<UnpackingDirectory> copied_with(const fs::path& database, const std::vector<std::string>& journals) {
-  auto directory = UnpackingDirectory::create();
-  if (!directory) return directory;
-  std::error_code error;
-  const fs::path copy = directory->path() / "bag.db3";
-  fs::copy_file(database, copy, error);
-  for (const std::string& ending : journals) {
-    if (!error) fs::copy_file(database.string() + ending, copy.string() + ending, error);
-  }
-  if (error)
-    return Problem{{database.string()}, "needs a copy to be read, which cannot be made: " + error.message()};
-  return directory;
-}
-
-}  // namespace
-
 Result<std::unique_ptr<BagStore>> SqliteStore::open(const fs::path& path, TopicTable& topics) {
   auto store = std::unique_ptr<SqliteStore>(new SqliteStore(path, topics));
   if (Problems problems = store->open_database(); !problems.empty()) return problems;
@@ -44,31 +15,31 @@ Result<std::unique_ptr<BagStore>> SqliteStore::open(const fs::path& path, TopicT
 }
 
 Problems SqliteStore::open_database() {
-  const auto journals = journals_of(shown_path());
-  fs::path path = shown_path();
-  if (!journals.empty()) {
-    auto copy = copied_with(shown_path(), journals);
-    if (!copy) return copy.problems();
-    copy_ = std::move(*copy);
-    path = copy_->path() / "bag.db3";
+  auto database = sqlite::Database::open(shown_path());
+  const bool has_journal = database && database->is_copy();
+  if (!has_journal) {
+    auto pages = SqlitePages::open(shown_path());
+    if (!pages) return pages.problems();
+    if (pages->bytes() < pages->stated_bytes()) {
+      database = sqlite::Database::open_cut(shown_path());
+      take_cut(std::move(*pages));
+    }
   }
-  auto database = copy_ ? sqlite::Database::open(path) : sqlite::Database::open_unchanged(path);
-  if (!database) return {{{shown_path().string()}, database.problems().front().what}};
+  if (!database) return database.problems();
   database_ = std::make_unique<sqlite::Database>(std::move(*database));
-  if (copy_) return {};
-  auto pages = SqlitePages::open(shown_path());
-  if (!pages) return pages.problems();
-  if (pages->bytes() >= pages->stated_bytes()) return {};
-  pages_ = std::move(*pages);
+  return {};
+}
+
+void SqliteStore::take_cut(SqlitePages pages) {
+  pages_ = std::move(pages);
   cut_rows_ = pages_->messages();
   warn(fmt::format("is cut off at byte {} of {}; the {} whole messages are read", pages_->bytes(),
                    pages_->stated_bytes(), cut_rows_.size()));
-  return {};
 }
 
 Problems SqliteStore::read_topics() {
   auto tables = SessionTables::read(*database_);
-  if (!tables) return {{{shown_path().string()}, tables.problems().front().what}};
+  if (!tables) return tables.problems();
   tables_ = std::move(*tables);
   for (const SessionTopic& topic : tables_->topics()) {
     topic_of_.push_back(

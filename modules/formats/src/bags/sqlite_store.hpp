@@ -4,14 +4,12 @@
 
 #include "bags/bag_store.hpp"
 #include "bags/sqlite_pages.hpp"
-#include "bags/unpacking_directory.hpp"
 #include "sessions/session_tables.hpp"
 #include "sessions/sqlite.hpp"
 
 namespace aisle {
 
-/// A database of rosbag2, of any version of its tables. It is opened so that nothing beside it changes; with
-/// a journal that waits to be merged, and where it ends within a page, a copy is read.
+/// A database of rosbag2, of any version of its tables. Nothing of it or beside it changes.
 class SqliteStore : public BagStore {
  public:
   static constexpr std::string_view kMagic{"SQLite format 3\0", 16};
@@ -31,6 +29,7 @@ class SqliteStore : public BagStore {
   using BagStore::BagStore;
 
   Problems open_database();
+  void take_cut(SqlitePages pages);
   Problems read_topics();
   bool step();
   std::string_view data();
@@ -39,7 +38,6 @@ class SqliteStore : public BagStore {
   /// Begins to read the rows, with the data of wanted topics.
   void begin(bool with_data);
 
-  std::optional<UnpackingDirectory> copy_;
   std::unique_ptr<sqlite::Database> database_;
   std::optional<SessionTables> tables_;
   std::vector<std::size_t> topic_of_;  ///< by index in tables_

@@ -93,8 +93,10 @@ Result<std::size_t> best_scans(BagReader& bag, const std::vector<std::size_t>& s
   };
   const std::size_t best =
       *std::max_element(scans.begin(), scans.end(), [&](auto a, auto b) { return score(a) < score(b); });
-  warnings.push_back({{file, 0, bag.topics()[best].name},
-                      fmt::format("is taken of the topics with scans: {}", names_of(bag.topics(), scans))});
+  warnings.push_back(
+      {{file, 0, bag.topics()[best].name},
+       fmt::format("is taken of the topics with scans: {}; --scan A,B takes two scanners of one vehicle",
+                   names_of(bag.topics(), scans))});
   return best;
 }
 
@@ -175,6 +177,17 @@ Problems choose_motion(const std::vector<BagTopic>& topics, const std::string& w
   return {no_such_topic(file, wanted, topics)};
 }
 
+/// Those that the user names, or the best one; none if the bag has no scans.
+Result<std::vector<std::size_t>> choose_scans(BagReader& bag, const RecordingOptions& options,
+                                              const std::string& file, Problems& warnings) {
+  if (!options.scan_topic.empty()) return named_scans(bag.topics(), options.scan_topic, file);
+  const std::vector<std::size_t> scans = topics_for(bag.topics(), TopicUse::kScan);
+  if (scans.empty()) return scans;
+  const auto best = best_scans(bag, scans, file, warnings);
+  if (!best) return best.problems();
+  return std::vector<std::size_t>{*best};
+}
+
 Result<std::size_t> only_images(const std::vector<BagTopic>& topics, const std::string& file) {
   const std::vector<std::size_t> found = topics_for(topics, TopicUse::kImages);
   if (found.size() == 1) return found.front();
@@ -233,35 +246,29 @@ std::string topic_list(const std::vector<BagTopic>& topics) {
 
 Result<TopicChoice> choose_topics(BagReader& bag, const RecordingOptions& options, const std::string& file,
                                   Problems& warnings) {
-  const std::vector<BagTopic>& topics = bag.topics();
-  TopicChoice choice;
-  if (!options.scan_topic.empty()) {
-    auto named = named_scans(topics, options.scan_topic, file);
-    if (!named) return named.problems();
-    choice.scans = std::move(*named);
-  } else {
-    const std::vector<std::size_t> scans = topics_for(topics, TopicUse::kScan);
-    if (scans.empty())
-      return Problem{{file}, "has no scans (sensor_msgs/msg/LaserScan); " + topic_list(topics)};
-    const auto best = best_scans(bag, scans, file, warnings);
-    if (!best) return best.problems();
-    choice.scans = {*best};
-  }
-  if (Problems problems = choose_motion(topics, options.odometry, file, choice, warnings); !problems.empty())
+  auto scans = choose_scans(bag, options, file, warnings);
+  if (!scans) return scans.problems();
+  if (scans->empty())
+    return Problem{{file}, "has no scans (sensor_msgs/msg/LaserScan); " + topic_list(bag.topics())};
+  TopicChoice choice{.scans = std::move(*scans)};
+  if (Problems problems = choose_motion(bag.topics(), options.odometry, file, choice, warnings);
+      !problems.empty())
     return problems;
   return choice;
 }
 
-Result<TopicChoice> choose_image_topics(const std::vector<BagTopic>& topics, const std::string& images,
-                                        const std::string& odometry, const std::string& file,
+Result<TopicChoice> choose_image_topics(BagReader& bag, const std::string& images,
+                                        const RecordingOptions& options, const std::string& file,
                                         Problems& warnings) {
+  const std::vector<BagTopic>& topics = bag.topics();
   const auto chosen = images.empty() ? only_images(topics, file)
                                      : named_topic(topics, images, TopicUse::kImages, "images", file);
   if (!chosen) return chosen.problems();
-  TopicChoice choice;
-  choice.images = *chosen;
+  auto scans = choose_scans(bag, options, file, warnings);
+  if (!scans) return scans.problems();
+  TopicChoice choice{.scans = std::move(*scans), .images = *chosen};
   choice.calibration = calibration_of(topics, topics[*chosen].name);
-  if (Problems problems = choose_motion(topics, odometry, file, choice, warnings); !problems.empty())
+  if (Problems problems = choose_motion(topics, options.odometry, file, choice, warnings); !problems.empty())
     return problems;
   return choice;
 }

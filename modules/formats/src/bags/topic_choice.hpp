@@ -38,11 +38,10 @@ struct TopicChoice {
 Result<TopicChoice> choose_topics(BagReader& bag, const RecordingOptions& options, const std::string& file,
                                   Problems& warnings);
 
-/// The topics of a recording of images.
-/// @param images    the topic; empty: the only one with images. Several are a problem that names them
-/// @param odometry  as in RecordingOptions
-Result<TopicChoice> choose_image_topics(const std::vector<BagTopic>& topics, const std::string& images,
-                                        const std::string& odometry, const std::string& file,
+/// The topics of a recording of images, with its scans if it has any.
+/// @param images  the topic; empty: the only one with images. Several are a problem that names them
+Result<TopicChoice> choose_image_topics(BagReader& bag, const std::string& images,
+                                        const RecordingOptions& options, const std::string& file,
                                         Problems& warnings);
 
 }  // namespace aisle

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "aisle/formats/json_document.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "buildings/building_parts.hpp"
+#include "file_limits.hpp"
 
 namespace aisle {
 namespace {
@@ -66,7 +68,7 @@ Result<Building> parse_building(std::string_view text, const std::string& name) 
 }
 
 Result<Building> read_building(const std::filesystem::path& path) {
-  const Result<std::string> text = read_whole_file(path);
+  const Result<std::string> text = read_whole_file(path, kJsonBytesMax);
   if (!text) return text.problems();
   return parse_building(*text, path.string());
 }

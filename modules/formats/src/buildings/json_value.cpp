@@ -15,17 +15,6 @@ constexpr std::size_t kColumnsMax = 100;
 
 }  // namespace
 
-Result<nlohmann::json> parse_json(std::string_view text, const std::string& name) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto malformed = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    return Problem{{name, 1 + std::count(text.begin(), malformed, '\n'), ""}, "is not well-formed JSON here"};
-  } catch (const nlohmann::json::exception&) {
-    return Problem{{name}, "has a number that is too large"};
-  }
-}
-
 bool JsonValue::is_text() const {
   if (!value_.is_string()) wrong("is not a text");
   return value_.is_string();

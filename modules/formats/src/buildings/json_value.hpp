@@ -16,9 +16,6 @@
 
 namespace aisle {
 
-/// The JSON document, or a problem with the line where it is malformed.
-Result<nlohmann::json> parse_json(std::string_view text, const std::string& name);
-
 /// One value of a JSON document with its key path. Reading a value of the wrong kind adds a problem that
 /// names the path, and leaves the target unchanged.
 class JsonValue {

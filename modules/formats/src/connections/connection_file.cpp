@@ -180,7 +180,7 @@ Result<Connection> read_connection(const std::filesystem::path& path) {
 
 Result<Connection> parse_connection(const std::string& text, const std::string& name) {
   try {
-    return ConnectionReader(name).read(YAML::Load(text));
+    return ConnectionReader(name).read(load_yaml(text));
   } catch (const YAML::Exception& error) {
     return Problem{{name, error.mark.line + 1}, "is not YAML: " + error.msg};
   }

@@ -10,9 +10,7 @@
 #include "aisle/formats/bags/bag_camera.hpp"
 #include "aisle/formats/bags/bag_image.hpp"
 #include "aisle/vehicle/odometry_track.hpp"
-#include "bags/bag_clock.hpp"
-#include "bags/motion_choice.hpp"
-#include "bags/scanner_mount.hpp"
+#include "bags/bag_recording.hpp"
 #include "image_sequences/stamp_order.hpp"
 #include "image_sequences/usable_images.hpp"
 
@@ -28,21 +26,14 @@ struct StampedImage {
   std::optional<Pose2> T_odom_vehicle;
 };
 
-/// Images and odometry on one clock, each image with the pose at its time.
-std::vector<StampedImage> stamped_images(const BagImages& images, const BagMotion& motion,
-                                         const std::string& topic, const std::string& file,
-                                         Problems& warnings) {
-  std::vector<MessageStream> streams = {{topic, images.times}, {motion.source, {}}};
-  for (const BagPose& pose : motion.poses) streams[1].times.push_back(pose.time);
-  const auto times_s = stream_times_s(streams, file, warnings);
-  std::vector<OdometrySample> samples;
-  for (std::size_t i = 0; i < motion.poses.size(); ++i)
-    samples.push_back({times_s[1][i], motion.poses[i].T_parent_child, motion.poses[i].time.number});
+/// Each image with the pose at its time.
+std::vector<StampedImage> stamped_images(BagRecording& recording, const std::string& file) {
+  const std::vector<OdometrySample>& samples = recording.lasers.log.odometry;
   std::vector<StampedImage> stamped;
   std::size_t beside = 0;
-  for (std::size_t i = 0; i < images.times.size(); ++i) {
-    const double stamp_s = times_s[0][i];
-    stamped.push_back({images.times[i].number, stamp_s, {}});
+  for (std::size_t i = 0; i < recording.image_times_s.size(); ++i) {
+    const double stamp_s = recording.image_times_s[i];
+    stamped.push_back({recording.images.times[i].number, stamp_s, {}});
     if (samples.empty()) continue;
     stamped.back().T_odom_vehicle = OdometryTrack(samples).at(stamp_s, samples.size());
     if (stamp_s < samples.front().time_s - kBesideOdometry_s ||
@@ -50,10 +41,11 @@ std::vector<StampedImage> stamped_images(const BagImages& images, const BagMotio
       ++beside;
   }
   if (beside > 0)
-    warnings.push_back({{file, 0, motion.source},
-                        fmt::format("{} of {} images are before its first or after its last message: there "
-                                    "the vehicle is taken to stand",
-                                    beside, stamped.size())});
+    recording.lasers.warnings.push_back(
+        {{file},
+         fmt::format("{} of {} images were taken before the odometry begins or after it ends: there the "
+                     "vehicle is taken to stand",
+                     beside, stamped.size())});
   return stamped;
 }
 
@@ -69,10 +61,12 @@ class BagImageSequence final : public UsableImages {
   }
 
   void set_camera(RecordedCamera camera) { camera_ = std::move(camera); }
+  void set_scans(LaserRecording scans) { scans_ = std::move(scans); }
   using UsableImages::warn;
 
   bool has_odometry() const override { return !images_.empty() && images_.front().T_odom_vehicle; }
   RecordedCamera camera() const override { return camera_; }
+  std::optional<LaserRecording> take_scans() override { return std::exchange(scans_, std::nullopt); }
   double period_s() const override;
   std::size_t size() const override { return images_.size(); }
   Problems warnings() const override {
@@ -119,6 +113,7 @@ class BagImageSequence final : public UsableImages {
   std::vector<StampedImage> images_;
   std::string file_;
   RecordedCamera camera_;
+  std::optional<LaserRecording> scans_;
   std::size_t at_ = 0;
   double before_s_ = -kStampStepMin_s;
 };
@@ -138,28 +133,30 @@ Result<std::unique_ptr<ImageSequence>> open_bag_images(const std::filesystem::pa
   if (options.rate_hz) return Problem{{file}, "has stamps: --rate is for images that have none"};
   auto bag = BagReader::open(path);
   if (!bag) return bag.problems();
-  Problems warnings;
-  const auto choice = choose_image_topics(bag->topics(), options.topic, options.odometry, file, warnings);
+  Problems choices;
+  const auto choice = choose_image_topics(*bag, options.topic, options.reading, file, choices);
   if (!choice) return choice.problems();
   const std::string topic = bag->topics()[*choice->images].name;
-  auto streams = read_streams(*bag, *choice, file, warnings);
-  if (!streams) return streams.problems();
-  const BagMotion motion = choose_motion(*streams, *choice, options.odometry, file, warnings);
-  if (motion.poses.empty())
-    warnings.push_back({{file},
-                        "has no odometry: nothing that needs it, such as aisle learn, works with this "
-                        "recording"});
-  auto images = stamped_images(streams->images, motion, topic, file, warnings);
+  auto recording = read_bag_recording(*bag, *choice, options.reading, file);
+  if (!recording) return recording.problems();
+  auto images = stamped_images(*recording, file);
   auto sequence =
       std::make_unique<BagImageSequence>(std::move(*bag), *choice->images, std::move(images), file);
   if (Problems problems = sequence->begin(); !problems.empty()) return problems;
+  Problems warnings = std::exchange(recording->lasers.warnings, {});
+  if (!sequence->has_odometry())
+    warnings.push_back({{file},
+                        "has no odometry: nothing that needs it, such as aisle learn, works with this "
+                        "recording"});
   const Problem about_camera{{file, 0, topic}, {}};
   std::optional<CameraIntrinsics> lens;
-  if (const auto& info = streams->images.calibration)
+  if (const auto& info = recording->images.calibration)
     lens = bag_lens(*info, topic, sequence->width_px(), sequence->height_px(), about_camera, warnings);
-  sequence->set_camera({topic, lens,
-                        bag_mount(streams->transforms, base_frame(motion, streams->transforms),
-                                  streams->images.frame, about_camera, warnings)});
+  sequence->set_camera(
+      {topic, lens,
+       bag_mount(recording->transforms, recording->base, recording->images.frame, about_camera, warnings)});
+  if (!choice->scans.empty()) sequence->set_scans(std::move(recording->lasers));
+  for (Problem& warning : choices) sequence->warn(std::move(warning));
   for (Problem& warning : warnings) sequence->warn(std::move(warning));
   return std::unique_ptr<ImageSequence>(std::move(sequence));
 }

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "aisle/formats/json_document.hpp"
 #include "field_reader.hpp"
 #include "image_sequences/donkey_tub.hpp"
 #include "image_sequences/stamp_order.hpp"
@@ -25,8 +26,8 @@ double number_or(const nlohmann::json& record, const char* key, double otherwise
 
 /// The text's value; null if it is no JSON.
 nlohmann::json parsed(std::string_view text) {
-  nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
-  return value.is_discarded() ? nlohmann::json() : value;
+  auto value = parse_json(text, "");
+  return value ? std::move(*value) : nlohmann::json();
 }
 
 /// What records of all versions hold. @return nullopt without an image's name

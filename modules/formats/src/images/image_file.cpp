@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <vector>
 
 #include "aisle/formats/whole_file.hpp"
 #include "file_limits.hpp"
 #include "images/image_damage.hpp"
+#include "images/image_size.hpp"
 #include "images/image_transparency.hpp"
 
 namespace aisle {
@@ -46,6 +49,21 @@ cv::Mat decode(std::string_view bytes) {
   }
 }
 
+Problem no_image(const std::string& name) {
+  return {{name}, "is not an image that can be read (PNG, JPEG, PBM, PGM, PPM, BMP, TIFF, WebP)"};
+}
+
+/// A few bytes may state a size whose pixels take all memory.
+std::optional<Problem> refused_size(std::string_view bytes, const std::string& name) {
+  const auto size = stated_image_size(bytes);
+  if (!size) return no_image(name);
+  const auto [width, height] = *size;
+  if (std::max(width, height) <= kImageSideMax_px && width * height <= kImagePixelsMax) return std::nullopt;
+  return Problem{{name},
+                 fmt::format("has {} x {} pixels; at most {} a side and {} million in all are read", width,
+                             height, kImageSideMax_px, kImagePixelsMax / 1'000'000)};
+}
+
 }  // namespace
 
 Result<Image> read_image(const std::filesystem::path& path) {
@@ -57,14 +75,9 @@ Result<Image> read_image(const std::filesystem::path& path) {
 Result<Image> parse_image(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) return Problem{{name}, "is empty"};
   if (const auto damage = image_damage(bytes)) return Problem{{name}, *damage};
+  if (auto problem = refused_size(bytes, name)) return *problem;
   const cv::Mat decoded = decode(bytes);
-  if (decoded.empty())
-    return Problem{{name}, "is not an image that can be read (PNG, JPEG, PGM, PPM, BMP, TIFF)"};
-  if (decoded.cols > kImageSideMax_px || decoded.rows > kImageSideMax_px) {
-    return Problem{{name},
-                   fmt::format("has {} x {} pixels; at most {} a side are read", decoded.cols, decoded.rows,
-                               kImageSideMax_px)};
-  }
+  if (decoded.empty()) return no_image(name);
   cv::Mat pixels = decoded;
   if (decoded.channels() == 3) cv::cvtColor(decoded, pixels, cv::COLOR_BGR2RGB);
   Image image(pixels.cols, pixels.rows, pixels.channels());

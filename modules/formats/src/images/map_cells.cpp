@@ -22,6 +22,13 @@ GreyIsFree free_greys(const MapServerYaml& map) {
   return is_free;
 }
 
+bool is_occupied(std::uint8_t value, const MapServerYaml& map) {
+  constexpr double kRawMax = 100;
+  if (map.mode == MapMode::kRaw) return value <= kRawMax && value / kRawMax >= map.occupied_above;
+  const double shade = value / 255.0;
+  return (map.negate ? shade : 1 - shade) > map.occupied_above;
+}
+
 /// The mean of the colours, as map_server takes it; not the eye's weights.
 Image mean_of_channels(const Image& image) {
   if (image.channels == 1) return image;
@@ -79,12 +86,15 @@ PlanReading plan_of_map(const TransparentImage& image, const MapServerYaml& map)
   FloorPlan& plan = reading.plan;
   plan.cell_m = map.resolution_m;
   plan.T_world_plan = map.T_map_plan;
+  reading.unseen.resize(plan.solid.size());
   for (int y = 0; y < plan.height; ++y) {
     const std::size_t row = plan.index(0, plan.height - 1 - y);
     for (int x = 0; x < plan.width; ++x) {
       const std::size_t pixel = row + static_cast<std::size_t>(x);
       const bool is_unseen = !image.transparent.empty() && image.transparent[pixel] != 0;
-      plan.solid[plan.index(x, y)] = is_unseen || !is_free[grey.bytes[pixel]];
+      const std::size_t cell = plan.index(x, y);
+      plan.solid[cell] = is_unseen || !is_free[grey.bytes[pixel]];
+      reading.unseen[cell] = is_unseen || (plan.solid[cell] != 0 && !is_occupied(grey.bytes[pixel], map));
     }
   }
   return reading;

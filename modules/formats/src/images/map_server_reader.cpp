@@ -26,7 +26,7 @@ class MapYamlReader {
 
   Result<MapServerYaml> read(const std::string& text) {
     try {
-      read_document(YAML::Load(text));
+      read_document(load_yaml(text));
     } catch (const YAML::Exception& error) {
       return Problem{{file_, error.mark.line + 1}, "is not YAML: " + error.msg};
     }

@@ -9,6 +9,7 @@
 #include "aisle/formats/images/portable_graymap.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "file_limits.hpp"
+#include "images/image_size.hpp"
 
 namespace aisle {
 namespace {
@@ -16,6 +17,11 @@ namespace {
 constexpr int kSizeMax = 8192;
 constexpr int kNearlyWhite = 248;  ///< from here on it is paper, not a drawn line
 constexpr double kLightGreyShare_percent = 0.2;
+
+bool is_too_large(const ImageSize& size) {
+  return std::max(size.width_px, size.height_px) > kSizeMax ||
+         size.width_px * size.height_px > kImagePixelsMax;
+}
 
 Image image_of(const PortableBitmap& bitmap) {
   Image image(bitmap.width, bitmap.height);
@@ -90,6 +96,13 @@ FloorPlan floor_plan(const TransparentImage& grey, double cell_m, double solid_f
 }
 
 Result<TransparentImage> parse_plan_pixels(std::string_view bytes, const std::string& name) {
+  if (const auto size = stated_image_size(bytes); size && is_too_large(*size)) {
+    return Problem{
+        {name},
+        fmt::format("has {} x {} pixels; at most {} columns and rows, {} million in all, are read: "
+                    "a smaller copy needs a larger --resolution",
+                    size->width_px, size->height_px, kSizeMax, kImagePixelsMax / 1'000'000)};
+  }
   if (bytes.starts_with("P1") || bytes.starts_with("P4")) {
     const auto bitmap = parse_pbm(bytes, name, kSizeMax);
     if (!bitmap) return bitmap.problems();
@@ -100,13 +113,7 @@ Result<TransparentImage> parse_plan_pixels(std::string_view bytes, const std::st
     if (!graymap) return graymap.problems();
     return TransparentImage{std::move(*graymap), {}};
   }
-  auto image = parse_transparent_image(bytes, name);
-  if (image && std::max(image->image.width_px, image->image.height_px) > kSizeMax) {
-    return Problem{{name},
-                   fmt::format("has {} x {} pixels; at most {} columns and rows are read",
-                               image->image.width_px, image->image.height_px, kSizeMax)};
-  }
-  return image;
+  return parse_transparent_image(bytes, name);
 }
 
 Result<PlanReading> parse_plan_image(std::string_view bytes, const std::string& name, double cell_m,

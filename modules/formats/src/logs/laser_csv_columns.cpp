@@ -84,13 +84,15 @@ class HeaderReader {
   }
 
   /// What is wrong; empty: nothing.
-  std::string read() {
+  std::string read(CsvRows rows) {
     for (std::size_t index = 0; index < columns_.names.size(); ++index) {
       const std::string& name = columns_.names[index];
       if (!take(name, index) && !name.empty()) columns_.unknown.push_back(name);
       if (!twice_.empty()) return fmt::format("has '{}' twice", twice_);
     }
-    return what_is_missing();
+    if (rows == CsvRows::kPoses && time_ && !columns_.x)
+      return "has no columns x_m, y_m (or _cm, _mm), heading_rad (or _deg)";
+    return what_is_missing(rows);
   }
 
   CsvColumns columns() && { return std::move(columns_); }
@@ -126,7 +128,7 @@ class HeaderReader {
     return true;
   }
 
-  std::string what_is_missing() {
+  std::string what_is_missing(CsvRows rows) {
     if (!time_) return "has no column 'time_s' (or _ms, _us, _ns)";
     columns_.time = *time_;
     if (columns_.x.has_value() != columns_.y.has_value() ||
@@ -136,7 +138,8 @@ class HeaderReader {
     if (columns_.first_angle.has_value() != columns_.angle_step.has_value()) {
       return "has only one of the columns first_angle_deg and angle_step_deg";
     }
-    if (readings_.size() < 2) return "has no columns 'range_0_m', 'range_1_m' ... (or _cm, _mm)";
+    if (rows == CsvRows::kScans && readings_.size() < 2)
+      return "has no columns 'range_0_m', 'range_1_m' ... (or _cm, _mm)";
     for (const auto& [number, column] : readings_) {
       if (number != columns_.ranges.size())
         return fmt::format("has no column 'range_{}_m'", columns_.ranges.size());
@@ -163,9 +166,10 @@ void split_csv_line(std::string_view line, char separator, std::vector<std::stri
   }
 }
 
-Result<CsvColumns> read_csv_header(std::string_view header, const std::string& name, long line) {
+Result<CsvColumns> read_csv_header(std::string_view header, const std::string& name, long line,
+                                   CsvRows rows) {
   HeaderReader reader(header);
-  const std::string problem = reader.read();
+  const std::string problem = reader.read(rows);
   if (!problem.empty()) return Problem{{name, line}, "the header " + problem};
   return std::move(reader).columns();
 }

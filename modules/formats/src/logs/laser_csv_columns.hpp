@@ -26,8 +26,12 @@ struct CsvColumns {
   std::vector<std::string> unknown = {};  ///< columns that mean nothing here
 };
 
+/// What a table must have beside the time: readings, or poses.
+enum class CsvRows { kScans, kPoses };
+
 /// @param line  number of the header line
-Result<CsvColumns> read_csv_header(std::string_view header, const std::string& name, long line);
+Result<CsvColumns> read_csv_header(std::string_view header, const std::string& name, long line,
+                                   CsvRows rows = CsvRows::kScans);
 
 /// A fact of the scanner from a comment, such as "# first_angle_deg: -90".
 struct CsvFact {

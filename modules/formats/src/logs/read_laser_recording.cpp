@@ -3,24 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "aisle/formats/bags/bag_reader.hpp"
 #include "aisle/formats/bags/laser_bag.hpp"
+#include "aisle/formats/file_contents.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
+#include "aisle/formats/logs/counted_log.hpp"
 #include "aisle/formats/logs/laser_csv.hpp"
 #include "aisle/formats/logs/rawlog.hpp"
 #include "logs/recording_kind.hpp"
-#include "logs/unpacked_file.hpp"
+#include "unpacked_file.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kWhatIsRead =
-    "recordings are CARMEN logs, MRPT rawlogs, CSV (each plain, gzip or bzip2), and ROS bags (.bag, .db3, "
-    ".mcap)";
+    "recordings are CARMEN logs, MRPT rawlogs, CSV, CoreSLAM and Lego logs (each plain, gzip or bzip2), and "
+    "ROS "
+    "bags (.bag, .db3, .mcap)";
 
 Problem other_kind(const fs::path& path, std::string_view head) {
   return {{path.string()}, fmt::format("is {}; {}", describe_contents(head), kWhatIsRead)};
@@ -36,16 +42,30 @@ Result<UnpackedFile> read_if_recording(const fs::path& path) {
   return read_unpacked_file(path);
 }
 
+Result<LaserRecording> parse_of_kind(RecordingKind kind, std::string_view bytes, const fs::path& path,
+                                     const RecordingOptions& options) {
+  switch (kind) {
+    case RecordingKind::kCarmen:
+      return parse_carmen_log(bytes, path.string(), options);
+    case RecordingKind::kRawlog:
+      return parse_rawlog(bytes, path.string(), options);
+    case RecordingKind::kCsv:
+      return parse_laser_csv(bytes, path.string(), options);
+    case RecordingKind::kCoreslam:
+      return parse_coreslam_log(bytes, path.string(), options);
+    case RecordingKind::kLego:
+      return parse_lego_log({{std::string(bytes)}}, path.string(), options);
+    case RecordingKind::kOther:
+      break;
+  }
+  return other_kind(path, bytes.substr(0, kRecordingHead));
+}
+
 Result<LaserRecording> parse_recording(std::string_view bytes, const fs::path& path,
                                        const RecordingOptions& options) {
-  const std::string_view head = bytes.substr(0, kRecordingHead);
-  const RecordingKind kind = recording_kind(head);
-  if (kind == RecordingKind::kOther) return other_kind(path, head);
-  if (kind == RecordingKind::kCarmen) return parse_carmen_log(bytes, path.string(), options);
-  Result<LaserRecording> recording = kind == RecordingKind::kRawlog
-                                         ? parse_rawlog(bytes, path.string(), options)
-                                         : parse_laser_csv(bytes, path.string(), options);
-  if (recording && options.unit != LengthUnit::kMetre) {
+  const RecordingKind kind = recording_kind(bytes.substr(0, kRecordingHead));
+  Result<LaserRecording> recording = parse_of_kind(kind, bytes, path, options);
+  if (recording && kind != RecordingKind::kCarmen && options.unit != LengthUnit::kMetre) {
     recording->warnings.push_back({{path.string()}, "states its own units: --units says nothing of it"});
   }
   return recording;
@@ -64,30 +84,45 @@ Problems apply_choice(const RecordingOptions& options, const fs::path& path, Las
   return problems;
 }
 
+Result<LaserRecording> with_choice(Result<LaserRecording> recording, const RecordingOptions& options,
+                                   const fs::path& path) {
+  if (!recording) return recording;
+  if (Problems problems = apply_choice(options, path, recording->log); !problems.empty()) return problems;
+  return recording;
+}
+
 Result<LaserRecording> read_recording_file(const fs::path& path, const RecordingOptions& options) {
   const Result<UnpackedFile> file = read_if_recording(path);
   if (!file) return file.problems();
-  Result<LaserRecording> recording = parse_recording(file->bytes, path, options);
+  Result<LaserRecording> recording = with_choice(parse_recording(file->bytes, path, options), options, path);
   if (!recording) return recording;
-  if (Problems problems = apply_choice(options, path, recording->log); !problems.empty()) return problems;
   if (!file->damage.empty()) {
     recording->warnings.push_back({{path.string()}, file->damage + "; what comes before is used"});
   }
   return recording;
 }
 
-bool is_recording(const fs::path& path) {
-  if (is_bag(path)) return true;
-  if (!fs::is_regular_file(path)) return false;
-  const Result<std::string> head = read_unpacked_head(path, kRecordingHead);
-  return head && recording_kind(*head) != RecordingKind::kOther;
+/// The texts of one run of the Lego robot: those with its scans and those with its motors. None if there is
+/// not one run in these files.
+std::optional<std::vector<std::string>> lego_run(const std::vector<fs::path>& files) {
+  std::vector<std::string> texts;
+  std::ptrdiff_t with_scans = 0;
+  for (const fs::path& file : files) {
+    auto text = read_unpacked_file(file);
+    if (is_bag(file) || !text || !begins_lego_log(std::string_view(text->bytes).substr(0, kRecordingHead)))
+      return std::nullopt;
+    with_scans += has_lego_scans(text->bytes) ? 1 : 0;
+    texts.push_back(std::move(text->bytes));
+  }
+  if (with_scans != 1) return std::nullopt;
+  return texts;
 }
 
 Result<LaserRecording> read_recording_folder(const fs::path& folder, const RecordingOptions& options) {
   std::vector<fs::path> recordings;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (is_recording(entry->path())) recordings.push_back(entry->path());
+    if (is_laser_recording(entry->path())) recordings.push_back(entry->path());
   }
   if (error) return Problem{{folder.string()}, "cannot be listed: " + error.message()};
   if (recordings.size() == 1) return read_laser_recording(recordings.front(), options);
@@ -95,12 +130,24 @@ Result<LaserRecording> read_recording_folder(const fs::path& folder, const Recor
     return Problem{{folder.string()}, fmt::format("is a folder without a recording; {}", kWhatIsRead)};
   }
   std::sort(recordings.begin(), recordings.end());
+  constexpr std::size_t kFilesOfRun = 2;
+  if (recordings.size() == kFilesOfRun) {
+    if (const auto run = lego_run(recordings))
+      return with_choice(parse_lego_log(*run, folder.string(), options), options, folder);
+  }
   return Problem{{folder.string()},
                  fmt::format("is a folder of {} recordings: name one of them, such as {}", recordings.size(),
                              recordings.front().string())};
 }
 
 }  // namespace
+
+bool is_laser_recording(const fs::path& path) {
+  if (is_bag(path)) return true;
+  if (!fs::is_regular_file(path)) return false;
+  const Result<std::string> head = read_unpacked_head(path, kRecordingHead);
+  return head && recording_kind(*head) != RecordingKind::kOther;
+}
 
 Result<LaserRecording> read_laser_recording(const fs::path& path, const RecordingOptions& options) {
   std::error_code error;

@@ -1,19 +1,15 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace aisle {
 
-enum class RecordingKind { kCarmen, kRawlog, kCsv, kOther };
+enum class RecordingKind { kCarmen, kRawlog, kCsv, kCoreslam, kLego, kOther };
 
 /// How many of a file's first bytes tell its kind.
 inline constexpr std::size_t kRecordingHead = 1 << 18;
 
 /// @param head  the first bytes, unpacked
 RecordingKind recording_kind(std::string_view head);
-
-/// What a file looks like that is no recording, for people: "a PNG image".
-std::string describe_contents(std::string_view head);
 
 }  // namespace aisle

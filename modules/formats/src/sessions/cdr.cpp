@@ -7,6 +7,8 @@
 #include <array>
 #include <type_traits>
 
+#include "aisle/formats/sessions/diagnostic_messages.hpp"
+
 namespace aisle {
 namespace {
 
@@ -182,6 +184,7 @@ AISLE_MESSAGE(AckermannDriveStamped)
 AISLE_MESSAGE(Joy)
 AISLE_MESSAGE(BatteryState)
 AISLE_MESSAGE(Clock)
+AISLE_MESSAGE(DiagnosticArray)
 AISLE_MESSAGE(Odometry)
 AISLE_MESSAGE(TFMessage)
 AISLE_MESSAGE(PoseWithCovarianceStamped)

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "aisle/formats/json_document.hpp"
+
 namespace aisle {
 namespace {
 
@@ -73,9 +75,10 @@ std::string text_of(const Json& json) {
 /// The result of `read`; nullopt if it finds something else than it expects.
 template <class Value>
 std::optional<Value> parse(const std::string& text, Value (*read)(const Json&)) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Result<Json> json = parse_json<Json>(text, "");
+  if (!json) return std::nullopt;
   try {
-    return read(json);
+    return read(*json);
   } catch (const Json::exception&) {
     return std::nullopt;
   } catch (const std::invalid_argument&) {

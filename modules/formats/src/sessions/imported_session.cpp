@@ -65,12 +65,13 @@ ImportedSession::ImportedSession(fs::path directory, SessionWriter writer, Vehic
 
 Result<ImportedSession> ImportedSession::create(const fs::path& directory, bool force,
                                                 const VehicleDescription& vehicle, const std::string& camera,
-                                                const KnownSensors& known, bool has_odometry) {
+                                                const KnownSensors& known, bool has_odometry,
+                                                SessionStorage storage) {
   if (auto read_back = parse_vehicle(vehicle_yaml(vehicle), "the vehicle's description"); !read_back)
     return read_back.problems();
   if (Problems problems = prepare_directory(directory, force); !problems.empty()) return problems;
   const fs::path place = named(directory);
-  auto writer = SessionWriter::create(unfinished(place), true);
+  auto writer = SessionWriter::create(unfinished(place), true, storage);
   if (!writer) return writer.problems();
   return ImportedSession(place, std::move(*writer), vehicle, camera, known, has_odometry);
 }
@@ -87,25 +88,40 @@ ImportedSession::~ImportedSession() {
 Problems ImportedSession::write_head(ros::Stamp_ns stamp) {
   SessionOrigin origin{.navigator = kImportedNavigator, .parameters = {}};
   origin.has_odometry = has_odometry_;
-  origin.has_calibration = known_.lens && known_.mount;
+  origin.has_calibration = known_.is_calibrated(vehicle_);
   std::vector<RecordedMessage> head = {latched(kOriginTopic, ros::String{session_origin_json(origin)}),
                                        latched(kVehicleTopic, ros::String{vehicle_yaml(vehicle_)})};
-  if (known_.mount) head.push_back(static_frames_message(stamp, vehicle_));
+  VehicleDescription placed = vehicle_;
+  if (!known_.mount) placed.cameras.clear();
+  if (!known_.scanner_mount) placed.scanner.reset();
+  if (!placed.cameras.empty() || placed.scanner) head.push_back(static_frames_message(stamp, placed));
   return write_all(*writer_, stamp, head);
 }
 
 Problems ImportedSession::take(const TimedImage& image) {
-  const ros::Stamp_ns stamp = ros::stamp_ns(image.stamp_s);
-  if (!last_stamp_) {
-    if (Problems problems = write_head(stamp); !problems.empty()) return problems;
-  }
   std::vector<RecordedMessage> messages = {image_file_message(camera_, image.stamp_s, image.bytes)};
   const CameraDescription* camera = vehicle_.camera(camera_);
   if (known_.lens && camera != nullptr) messages.push_back(camera_info_message(*camera, image.stamp_s));
+  const ros::Stamp_ns stamp = ros::stamp_ns(image.stamp_s);
   if (image.controls) messages.push_back(controls_message(stamp, *image.controls));
+  return write(stamp, std::move(messages), image.T_odom_vehicle);
+}
+
+Problems ImportedSession::take(const TimedScan& scan) {
+  const LaserScanner scanner = vehicle_.scanner.value_or(LaserScanner{});
+  return write(ros::stamp_ns(scan.stamp_s), {scan_message(scan.scan, scanner, scan.reading_period_s)},
+               scan.T_odom_vehicle);
+}
+
+/// The messages of one cycle.
+Problems ImportedSession::write(ros::Stamp_ns stamp, std::vector<RecordedMessage> messages,
+                                const std::optional<Pose2>& T_odom_vehicle) {
+  if (!last_stamp_) {
+    if (Problems problems = write_head(stamp); !problems.empty()) return problems;
+  }
   if (Problems problems = write_all(*writer_, stamp, messages); !problems.empty()) return problems;
-  if (image.T_odom_vehicle) {
-    if (Problems problems = write_odometry(stamp, *image.T_odom_vehicle); !problems.empty()) return problems;
+  if (T_odom_vehicle) {
+    if (Problems problems = write_odometry(stamp, *T_odom_vehicle); !problems.empty()) return problems;
   }
   last_stamp_ = stamp;
   return {};

@@ -33,20 +33,6 @@ Result<OdometryReading> reading_of(const RecordedMessage& message, const std::st
                              fmt::join(kDifferentialNames, ", "))};
 }
 
-RecordedMessage scan_message(const RangeScan& scan, const LaserScanner& scanner) {
-  constexpr float kRangeMin_m = 0.001F;  // so that viewers, too, read 0 as "nothing usable"
-  const std::size_t last = scan.ranges_m.empty() ? 0 : scan.ranges_m.size() - 1;
-  ros::LaserScan message;
-  message.header = {ros::time_of(ros::stamp_ns(scan.stamp_s)), "laser"};
-  message.angle_min = static_cast<float>(scanner.first_angle_rad);
-  message.angle_max = static_cast<float>(scanner.beam_angle(last));
-  message.angle_increment = static_cast<float>(scanner.angle_step_rad);
-  message.range_min = kRangeMin_m;
-  message.range_max = static_cast<float>(scanner.range_max_m);
-  message.ranges = scan.ranges_m;
-  return recorded(kScanTopic, message);
-}
-
 Result<RangeScan> scan_of(const RecordedMessage& message, const std::string& file) {
   auto scan = decoded<ros::LaserScan>(message, file);
   if (!scan) return scan.problems();
@@ -117,6 +103,21 @@ class ObservationReader {
 };
 
 }  // namespace
+
+RecordedMessage scan_message(const RangeScan& scan, const LaserScanner& scanner, double reading_period_s) {
+  constexpr float kRangeMin_m = 0.001F;  // so that viewers, too, read 0 as "nothing usable"
+  const std::size_t last = scan.ranges_m.empty() ? 0 : scan.ranges_m.size() - 1;
+  ros::LaserScan message;
+  message.header = {ros::time_of(ros::stamp_ns(scan.stamp_s)), "laser"};
+  message.angle_min = static_cast<float>(scanner.first_angle_rad);
+  message.angle_max = static_cast<float>(scanner.beam_angle(last));
+  message.angle_increment = static_cast<float>(scanner.angle_step_rad);
+  message.time_increment = static_cast<float>(reading_period_s);
+  message.range_min = kRangeMin_m;
+  message.range_max = static_cast<float>(scanner.range_max_m);
+  message.ranges = scan.ranges_m;
+  return recorded(kScanTopic, message);
+}
 
 RecordedMessage wheels_message(ros::Stamp_ns stamp, const OdometryReading& reading) {
   ros::JointState message;

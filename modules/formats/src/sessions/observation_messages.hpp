@@ -19,6 +19,9 @@ std::vector<RecordedMessage> messages_of(const Observation& observation, const V
 /// What the wheels counted since the cycle before.
 RecordedMessage wheels_message(ros::Stamp_ns stamp, const OdometryReading& reading);
 
+/// One turn of the scanner. @param reading_period_s  from one reading to the next; 0: not known
+RecordedMessage scan_message(const RangeScan& scan, const LaserScanner& scanner, double reading_period_s = 0);
+
 /// From the messages of one stamp, in their order; messages of other topics are ignored.
 /// @param has_odometry  whether every cycle contains an odometry reading; if not, an image or a scan makes
 /// one

@@ -25,7 +25,11 @@ Result<std::string> head_text(const SessionReader& reader, const char* topic) {
   const std::string file = reader.database().string();
   const auto bytes = reader.first_of(topic);
   if (!bytes) return bytes.problems();
-  if (!bytes->has_value()) return Problem{{file, 0, topic}, "is missing: this bag is not an aisle session"};
+  if (!bytes->has_value() && reader.topics().empty())
+    return Problem{{file}, "holds no message: the session ended before its first second was written"};
+  if (!bytes->has_value())
+    return Problem{{file, 0, topic},
+                   "is missing: this bag is not an aisle session; `aisle import` makes one of it"};
   auto text = decoded<ros::String>({{topic, ros::String::kType, true}, **bytes}, file);
   if (!text) return text.problems();
   return std::move(text->data);

@@ -14,15 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Closing a recording removes its journal, so a journal means that it was killed.
-bool was_killed(const fs::path& database) {
-  std::error_code error;
-  return fs::exists(database.string() + "-wal", error);
-}
-
 /// SQLite silently pads a truncated last page; here it is a problem.
 Problems check_length(const sqlite::Database& database) {
-  if (was_killed(database.path())) return {};  // the rest may be in the journal
+  if (database.is_copy()) return {};  // the rest may be in the journal
   auto pages = database.prepare("SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
   if (!pages) return pages.problems();
   if (const Result<bool> row = pages->step(); !row) return row.problems();
@@ -37,8 +31,8 @@ Problems check_length(const sqlite::Database& database) {
 bool belongs_to_session(const fs::path& file) {
   const std::string name = file.filename().string();
   return name == kDrivenImage || name == kMetadataName || name == std::string(kMetadataName) + ".part" ||
-         name.ends_with(".db3") || name.ends_with(".db3-wal") || name.ends_with(".db3-shm") ||
-         name.ends_with(".db3-journal");
+         name.ends_with(".mcap") || name.ends_with(".db3") || name.ends_with(".db3-wal") ||
+         name.ends_with(".db3-shm") || name.ends_with(".db3-journal");
 }
 
 Result<std::vector<fs::path>> files_in(const fs::path& directory) {
@@ -64,12 +58,39 @@ Problems remove_files(const fs::path& directory, const std::vector<fs::path>& fi
   return {};
 }
 
+/// A summary of the database for metadata.yaml.
+Result<SessionMetadata> metadata_of(const sqlite::Database& database) {
+  SessionMetadata metadata;
+  metadata.file_name = database.path().filename().string();
+  auto topics = database.prepare(
+      "SELECT name, type, offered_qos_profiles, count(messages.id), min(timestamp), max(timestamp) "
+      "FROM topics LEFT JOIN messages ON topic_id = topics.id GROUP BY topics.id ORDER BY topics.id");
+  if (!topics) return topics.problems();
+  while (true) {
+    const Result<bool> more = topics->step();
+    if (!more) return more.problems();
+    if (!*more) break;
+    const std::int64_t messages = topics->integer(3);
+    metadata.topics.push_back({{.name = std::string(topics->bytes(0)),
+                                .type = std::string(topics->bytes(1)),
+                                .latched = is_latched(std::string(topics->bytes(2)))},
+                               messages});
+    if (messages == 0) continue;
+    const bool first = metadata.messages == 0;
+    metadata.first = first ? topics->integer(4) : std::min(metadata.first, topics->integer(4));
+    metadata.last = first ? topics->integer(5) : std::max(metadata.last, topics->integer(5));
+    metadata.messages += messages;
+  }
+  return metadata;
+}
+
 }  // namespace
 
-fs::path database_path(const fs::path& directory) {
+fs::path storage_path(const fs::path& directory, SessionStorage storage) {
   fs::path whole = fs::absolute(directory).lexically_normal();
   if (!whole.has_filename()) whole = whole.parent_path();
-  return directory / (whole.filename().string() + "_0.db3");
+  const char* const ending = storage == SessionStorage::kMcap ? "_0.mcap" : "_0.db3";
+  return directory / (whole.filename().string() + ending);
 }
 
 Problems prepare_directory(const fs::path& directory, bool force) {
@@ -95,32 +116,7 @@ void remove_session(const fs::path& directory) {
   fs::remove(directory, error);
 }
 
-Result<SessionMetadata> metadata_of(const sqlite::Database& database) {
-  SessionMetadata metadata;
-  metadata.database_name = database.path().filename().string();
-  auto topics = database.prepare(
-      "SELECT name, type, offered_qos_profiles, count(messages.id), min(timestamp), max(timestamp) "
-      "FROM topics LEFT JOIN messages ON topic_id = topics.id GROUP BY topics.id ORDER BY topics.id");
-  if (!topics) return topics.problems();
-  while (true) {
-    const Result<bool> more = topics->step();
-    if (!more) return more.problems();
-    if (!*more) break;
-    const std::int64_t messages = topics->integer(3);
-    metadata.topics.push_back({{.name = std::string(topics->bytes(0)),
-                                .type = std::string(topics->bytes(1)),
-                                .latched = is_latched(std::string(topics->bytes(2)))},
-                               messages});
-    if (messages == 0) continue;
-    const bool first = metadata.messages == 0;
-    metadata.first = first ? topics->integer(4) : std::min(metadata.first, topics->integer(4));
-    metadata.last = first ? topics->integer(5) : std::max(metadata.last, topics->integer(5));
-    metadata.messages += messages;
-  }
-  return metadata;
-}
-
-Problems finish_session(const fs::path& directory, const sqlite::Database& database) {
+Problems finish_database(const fs::path& directory, const sqlite::Database& database) {
   const auto metadata = metadata_of(database);
   if (!metadata) return metadata.problems();
   const std::string yaml = metadata_yaml(*metadata);
@@ -132,23 +128,29 @@ Problems finish_session(const fs::path& directory, const sqlite::Database& datab
   return write_whole_file(directory / kMetadataName, yaml);
 }
 
-Result<sqlite::Database> open_session(const fs::path& directory) {
+Result<SessionFile> find_session_file(const fs::path& directory) {
   const fs::path metadata = directory / kMetadataName;
   if (!fs::exists(directory)) return Problem{{directory.string()}, "no such session"};
   if (!fs::is_directory(directory))
-    return Problem{{directory.string()}, "is a file; a session is a directory with metadata.yaml in it"};
+    return Problem{{directory.string()},
+                   "is a file; a session is a directory with metadata.yaml in it, and `aisle import` makes "
+                   "one of a recording"};
   if (!fs::exists(metadata))
-    return Problem{{directory.string()}, "has no metadata.yaml, so it is not a session"};
+    return Problem{{directory.string()},
+                   "has no metadata.yaml, so it is not a session; `aisle import` makes one of a recording"};
   const auto yaml = read_whole_file(metadata, kMetadataMax_bytes);
   if (!yaml) return yaml.problems();
-  const auto name = parse_database_name(*yaml, metadata.string());
-  if (!name) return name.problems();
-  const fs::path path = directory / *name;
+  auto file = parse_session_file(*yaml, metadata.string());
+  if (!file) return file;
+  const fs::path path = directory / file->name;
   if (!fs::is_regular_file(path))
     return Problem{{path.string()}, "is missing, though metadata.yaml names it"};
+  return file;
+}
+
+Result<sqlite::Database> open_database(const fs::path& path) {
   Result<sqlite::Database> database = sqlite::Database::open(path);
   if (!database) return database;
-  if (was_killed(path)) (void)finish_session(directory, *database);  // if that fails, read what there is
   if (Problems problems = check_length(*database); !problems.empty()) return problems;
   return database;
 }

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
@@ -35,13 +38,25 @@ std::optional<std::string> scalar(const YAML::Node& map, const char* key) {
   return value.Scalar();
 }
 
-Result<std::string> database_name(const YAML::Node& bag, const std::string& name) {
+/// 0 for all that is not a positive whole number.
+std::int64_t whole_number(const YAML::Node& value) {
+  return value && value.IsScalar() ? std::max<std::int64_t>(0, value.as<std::int64_t>(0)) : 0;
+}
+
+/// As metadata.yaml calls it.
+const char* identifier_of(SessionStorage storage) {
+  return storage == SessionStorage::kMcap ? "mcap" : "sqlite3";
+}
+
+Result<SessionFile> session_file(const YAML::Node& bag, const std::string& name) {
   const auto wrong = [&](const char* key, std::string what) {
     return Problem{{name, 0, key}, std::move(what)};
   };
-  if (const std::string storage = scalar(bag, "storage_identifier").value_or(""); storage != "sqlite3") {
-    return wrong("storage_identifier",
-                 fmt::format("'{}' is not read, only sqlite3; `ros2 bag convert` makes one", storage));
+  const std::string storage = scalar(bag, "storage_identifier").value_or("");
+  if (storage != "sqlite3" && storage != "mcap") {
+    return wrong(
+        "storage_identifier",
+        fmt::format("'{}' is not read, only sqlite3 and mcap; `ros2 bag convert` makes one", storage));
   }
   if (const std::string format = scalar(bag, "compression_format").value_or(""); !format.empty()) {
     return wrong("compression_format",
@@ -60,7 +75,13 @@ Result<std::string> database_name(const YAML::Node& bag, const std::string& name
   const std::string file = files[0].Scalar();
   if (file.empty() || file == "." || file == ".." || file.find('/') != std::string::npos)
     return wrong("relative_file_paths", fmt::format("'{}' is not a file beside metadata.yaml", file));
-  return file;
+  const YAML::Node duration = bag["duration"];
+  return SessionFile{.storage = storage == "mcap" ? SessionStorage::kMcap : SessionStorage::kSqlite,
+                     .name = file,
+                     .messages = whole_number(bag["message_count"]),
+                     .duration_s = duration && duration.IsMap()
+                                       ? static_cast<double>(whole_number(duration["nanoseconds"])) / 1e9
+                                       : 0};
 }
 
 }  // namespace
@@ -87,7 +108,7 @@ std::string metadata_yaml(const SessionMetadata& metadata) {
   return fmt::format(
       "rosbag2_bagfile_information:\n"
       "  version: {}\n"
-      "  storage_identifier: sqlite3\n"
+      "  storage_identifier: {}\n"
       "  duration:\n    {}\n"
       "  starting_time:\n    {}\n"
       "  message_count: {}\n"
@@ -100,18 +121,18 @@ std::string metadata_yaml(const SessionMetadata& metadata) {
       "      starting_time:\n        {}\n"
       "      duration:\n        {}\n"
       "      message_count: {}\n",
-      kMetadataVersion, duration, start, metadata.messages, topics.empty() ? " []" : "", topics,
-      json_quoted(metadata.database_name), json_quoted(metadata.database_name), start, duration,
-      metadata.messages);
+      kMetadataVersion, identifier_of(metadata.storage), duration, start, metadata.messages,
+      topics.empty() ? " []" : "", topics, json_quoted(metadata.file_name), json_quoted(metadata.file_name),
+      start, duration, metadata.messages);
 }
 
-Result<std::string> parse_database_name(const std::string& text, const std::string& name) {
+Result<SessionFile> parse_session_file(const std::string& text, const std::string& name) {
   try {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node root = load_yaml(text);
     const YAML::Node bag = root.IsMap() ? root["rosbag2_bagfile_information"] : YAML::Node();
     if (!bag || !bag.IsMap())
       return Problem{{name, 0, "rosbag2_bagfile_information"}, "is missing: this is not a bag's metadata"};
-    return database_name(bag, name);
+    return session_file(bag, name);
   } catch (const YAML::Exception& error) {
     return Problem{{name, error.mark.line + 1}, "is not YAML: " + error.msg};
   }

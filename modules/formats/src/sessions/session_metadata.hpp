@@ -7,6 +7,7 @@
 
 #include "aisle/core/result.hpp"
 #include "aisle/formats/sessions/session_message.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 
 namespace aisle {
 
@@ -16,7 +17,8 @@ struct SessionMetadata {
     std::int64_t messages = 0;
   };
 
-  std::string database_name;  ///< "drive_0.db3"
+  SessionStorage storage = SessionStorage::kSqlite;
+  std::string file_name;  ///< "drive_0.db3"
   ros::Stamp_ns first = 0;
   ros::Stamp_ns last = 0;
   std::int64_t messages = 0;
@@ -32,8 +34,16 @@ std::string quality_of_service(bool latched);
 /// Whether such a text describes a latched topic.
 bool is_latched(const std::string& quality);
 
-/// The name of the bag's one database file. For bags in another layout, the problem says which layout is
-/// read.
-Result<std::string> parse_database_name(const std::string& text, const std::string& name);
+/// The one file of a bag.
+struct SessionFile {
+  SessionStorage storage = SessionStorage::kSqlite;
+  std::string name;  ///< beside metadata.yaml
+  /// As metadata.yaml says; 0: unknown, as in a recording that was killed.
+  std::int64_t messages = 0;
+  double duration_s = 0;
+};
+
+/// For bags in another layout, the problem says which layout is read.
+Result<SessionFile> parse_session_file(const std::string& text, const std::string& name);
 
 }  // namespace aisle

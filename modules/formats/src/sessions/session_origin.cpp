@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "aisle/formats/json_document.hpp"
+
 namespace aisle {
 namespace {
 
@@ -27,13 +29,17 @@ std::string session_origin_json(const SessionOrigin& origin) {
 }
 
 Result<SessionOrigin> parse_session_origin(std::string_view text, const std::string& name) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Result<Json> document = parse_json<Json>(text, name);
+  if (!document) return document.problems();
+  const Json& json = *document;
   try {
     if (json.at("format") != kSessionFormat) return Problem{{name, 0, "format"}, "is not an aisle session"};
     if (const Json& version = json.at("version"); version != kSessionVersion) {
       return Problem{{name, 0, "version"},
                      fmt::format("{} is unknown; this program reads {}", version.dump(), kSessionVersion)};
     }
+    if (!json.at("seed").is_number_unsigned())
+      return Problem{{name, 0, "seed"}, "is not a whole number from 0 on"};
     return SessionOrigin{.navigator = json.at("navigator").get<std::string>(),
                          .parameters = json.at("parameters").get<std::map<std::string, std::string>>(),
                          .seed = json.at("seed").get<std::uint64_t>(),

@@ -34,10 +34,10 @@ Result<DescribedVehicle> as_described(const VehicleDescription& vehicle) {
 
 Result<SessionRecord> SessionRecord::create(const std::filesystem::path& directory, bool force,
                                             const VehicleDescription& vehicle, const SessionOrigin& origin,
-                                            const ImageCoding& coding) {
+                                            const ImageCoding& coding, SessionStorage storage) {
   auto described = as_described(vehicle);
   if (!described) return described.problems();
-  auto writer = SessionWriter::create(directory, force);
+  auto writer = SessionWriter::create(directory, force, storage);
   if (!writer) return writer.problems();
   return SessionRecord(std::move(*writer), std::move(described->description), std::move(described->text),
                        origin, coding);

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "sessions/session_files.hpp"
-#include "sessions/session_tables.hpp"
-
 #include "aisle/core/median.hpp"
+#include "sessions/session_files.hpp"
+#include "sessions/session_source.hpp"
 
 namespace aisle {
 namespace {
@@ -41,28 +40,20 @@ void summarise_times(TopicSummary& topic, const std::vector<ros::Stamp_ns>& stam
   }
 }
 
-Result<SessionSummary> summarise(const sqlite::Database& database) {
-  const auto tables = SessionTables::read(database);
-  if (!tables) return tables.problems();
+Result<SessionSummary> summarise(SessionSource& source) {
   SessionSummary summary;
-  for (const SessionTopic& topic : tables->topics()) summary.topics.push_back({.topic = topic});
+  for (const SessionTopic& topic : source.topics()) summary.topics.push_back({.topic = topic});
   std::vector<std::vector<ros::Stamp_ns>> stamps(summary.topics.size());
-  auto rows =
-      database.prepare("SELECT topic_id, timestamp, length(data) FROM messages ORDER BY timestamp, id");
-  if (!rows) return rows.problems();
   while (true) {
-    const Result<bool> more = rows->step();
-    if (!more) return more.problems();
-    if (!*more) break;
-    const auto topic = tables->index_of(rows->integer(0));
-    if (!topic) return topic.problems();
-    const auto stamp = tables->stamp_of(rows->integer(1));
-    if (!stamp) return stamp.problems();
-    if (summary.messages++ == 0) summary.first = *stamp;
-    summary.last = *stamp;
-    ++summary.topics[*topic].messages;
-    summary.topics[*topic].bytes += rows->integer(2);
-    stamps[*topic].push_back(*stamp);
+    const auto row = source.next_row();
+    if (!row) return row.problems();
+    if (!*row) break;
+    const auto& [topic, stamp, bytes] = **row;
+    if (summary.messages++ == 0) summary.first = stamp;
+    summary.last = stamp;
+    ++summary.topics[topic].messages;
+    summary.topics[topic].bytes += bytes;
+    stamps[topic].push_back(stamp);
   }
   for (std::size_t i = 0; i < stamps.size(); ++i)
     summarise_times(summary.topics[i], stamps[i], summary.first);
@@ -71,13 +62,22 @@ Result<SessionSummary> summarise(const sqlite::Database& database) {
 
 }  // namespace
 
+Result<SessionOutline> outline_session(const std::filesystem::path& directory) {
+  auto file = find_session_file(directory);
+  if (!file) return file.problems();
+  if (file->messages > 0) return SessionOutline{std::move(file->name), file->duration_s, file->messages};
+  const auto summary = summarise_session(directory);
+  if (!summary) return summary.problems();
+  return SessionOutline{std::move(file->name), summary->duration_s(), summary->messages};
+}
+
 Result<SessionSummary> summarise_session(const std::filesystem::path& directory) {
-  const auto database = open_session(directory);
-  if (!database) return database.problems();
-  auto summary = summarise(*database);
+  const auto source = open_session_source(directory);
+  if (!source) return source.problems();
+  auto summary = summarise(**source);
   if (!summary) return summary;
   std::error_code error;
-  summary->file_bytes = std::filesystem::file_size(database->path(), error);
+  summary->file_bytes = std::filesystem::file_size((*source)->path(), error);
   return summary;
 }
 

@@ -10,9 +10,11 @@ namespace {
 constexpr ros::Stamp_ns kStampEnd_ns = ros::Stamp_ns{1} << 62;
 constexpr std::size_t kTopicsMax = 10000;
 
+/// Tables with rows of their own: no views, no virtual tables, no columns that are computed.
 Problems check_tables(const sqlite::Database& database) {
   auto tables = database.prepare(
-      "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('messages', 'topics')");
+      "SELECT count(*) FROM sqlite_schema AS t WHERE type = 'table' AND name IN ('messages', 'topics') "
+      "AND rootpage > 0 AND NOT EXISTS (SELECT * FROM pragma_table_xinfo(t.name) WHERE hidden <> 0)");
   if (!tables) return tables.problems();
   const Result<bool> row = tables->step();
   if (!row) return row.problems();

@@ -9,6 +9,7 @@
 #include "file_limits.hpp"
 #include "object_reader.hpp"
 #include "worlds/scenario_fields.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
@@ -95,7 +96,7 @@ Result<Scenario> read_scenario(const std::filesystem::path& path) {
 
 Result<Scenario> parse_scenario(const std::string& text, const std::string& name) {
   try {
-    return ScenarioReader(name).read(YAML::Load(text));
+    return ScenarioReader(name).read(load_yaml(text));
   } catch (const YAML::Exception& error) {
     return Problem{{name, error.mark.line + 1}, "is not YAML: " + error.msg};
   }

@@ -143,7 +143,7 @@ Result<VehicleModel> read_vehicle(const std::filesystem::path& path) {
 
 Result<VehicleModel> parse_vehicle(const std::string& text, const std::string& name) {
   try {
-    return VehicleReader(name).read(YAML::Load(text));
+    return VehicleReader(name).read(load_yaml(text));
   } catch (const YAML::Exception& error) {
     return Problem{{name, error.mark.line + 1}, "is not YAML: " + error.msg};
   }

@@ -9,6 +9,7 @@
 #include "object_reader.hpp"
 #include "worlds/world_checks.hpp"
 #include "worlds/world_fields.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
@@ -37,7 +38,7 @@ class WorldReader {
 
 Result<World> WorldReader::read(const std::string& text) {
   try {
-    read_document(YAML::Load(text));
+    read_document(load_yaml(text));
   } catch (const YAML::Exception& error) {
     return Problem{{file_, error.mark.line + 1}, "is not YAML: " + error.msg};
   }

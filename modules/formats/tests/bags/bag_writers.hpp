@@ -8,6 +8,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "aisle/formats/sessions/cdr.hpp"
@@ -107,55 +108,80 @@ struct McapLayout {
   std::string encoding = "cdr";
 };
 
-/// With records in between that no reader knows.
-inline std::string mcap_bytes(const std::vector<WrittenMessage>& messages, const McapLayout& layout = {}) {
-  const std::string magic("\x89MCAP0\r\n", 8);
-  std::map<std::string, std::uint16_t> channels;
-  std::map<std::uint16_t, std::uint64_t> counts;
-  std::string descriptions, chunk, out = magic + mcap_record(1, sized("ros2") + sized("test"));
-  std::size_t in_chunk = 0;
-  const auto end_chunk = [&] {
-    if (layout.chunk_messages > 0 && !chunk.empty()) {
-      const std::string content = packed(layout.compression, chunk);
-      out += mcap_record(6, std::string(16, '\0') + number_bytes(std::uint64_t{chunk.size()}) +
-                                std::string(4, '\0') + sized(layout.compression) +
-                                number_bytes(std::uint64_t{content.size()}) + content);
-    } else {
-      out += chunk;
-    }
-    out += mcap_record(0x90, "whatever");
-    chunk.clear();
-    in_chunk = 0;
-  };
-  for (const WrittenMessage& message : messages) {
+/// An MCAP file piece by piece, with records in between that no reader knows.
+class McapWriter {
+ public:
+  explicit McapWriter(McapLayout layout) : layout_(std::move(layout)) {}
+
+  void add(const WrittenMessage& message) {
     const auto [channel, is_new] =
-        channels.try_emplace(message.topic, static_cast<std::uint16_t>(channels.size() + 1));
+        channels_.try_emplace(message.topic, static_cast<std::uint16_t>(channels_.size() + 1));
     const std::string id = number_bytes(channel->second);
     if (is_new) {
       const std::string description =
           mcap_record(3, id + sized(message.type) + sized("ros2msg") + sized("")) +
-          mcap_record(4, id + id + sized(message.topic) + sized(layout.encoding) +
+          mcap_record(4, id + id + sized(message.topic) + sized(layout_.encoding) +
                              sized(sized("offered_qos_profiles") + sized("- durability: transient_local\n")));
-      chunk += description;
-      descriptions += description;
+      chunk_ += description;
+      descriptions_ += description;
     }
-    ++counts[channel->second];
-    chunk += mcap_record(5, id + std::string(4, '\0') + number_bytes(message.log_stamp) +
-                                std::string(8, '\0') + message.bytes);
-    if (++in_chunk == layout.chunk_messages) end_chunk();
+    if (messages_++ == 0) first_ = message.log_stamp;
+    ++counts_[channel->second];
+    chunk_ += mcap_record(5, id + std::string(4, '\0') + number_bytes(message.log_stamp) +
+                                 std::string(8, '\0') + message.bytes);
+    if (++in_chunk_ == layout_.chunk_messages) end_chunk();
   }
-  end_chunk();
-  out += mcap_record(15, std::string(4, '\0'));
-  const std::uint64_t summary = layout.has_summary ? out.size() : 0;
-  if (layout.has_summary) {
-    std::string pairs;
-    for (const auto& [channel, count] : counts) pairs += number_bytes(channel) + number_bytes(count);
-    out +=
-        descriptions + mcap_record(11, number_bytes(std::uint64_t{messages.size()}) + std::string(18, '\0') +
-                                           number_bytes(messages.empty() ? 0 : messages.front().log_stamp) +
-                                           std::string(8, '\0') + sized(pairs));
+
+  void finish() {
+    end_chunk();
+    out_ += mcap_record(15, std::string(4, '\0'));
+    const std::uint64_t summary = layout_.has_summary ? taken_bytes_ + out_.size() : 0;
+    if (layout_.has_summary) {
+      std::string pairs;
+      for (const auto& [channel, count] : counts_) pairs += number_bytes(channel) + number_bytes(count);
+      out_ += descriptions_ + mcap_record(11, number_bytes(messages_) + std::string(18, '\0') +
+                                                  number_bytes(first_) + std::string(8, '\0') + sized(pairs));
+    }
+    out_ += mcap_record(2, number_bytes(summary) + std::string(12, '\0')) + magic();
   }
-  return out + mcap_record(2, number_bytes(summary) + std::string(12, '\0')) + magic;
+
+  /// The bytes since the last time.
+  std::string take() {
+    taken_bytes_ += out_.size();
+    return std::exchange(out_, {});
+  }
+
+ private:
+  static std::string magic() { return {"\x89MCAP0\r\n", 8}; }
+
+  void end_chunk() {
+    if (layout_.chunk_messages > 0 && !chunk_.empty()) {
+      const std::string content = packed(layout_.compression, chunk_);
+      out_ += mcap_record(6, std::string(16, '\0') + number_bytes(std::uint64_t{chunk_.size()}) +
+                                 std::string(4, '\0') + sized(layout_.compression) +
+                                 number_bytes(std::uint64_t{content.size()}) + content);
+    } else {
+      out_ += chunk_;
+    }
+    out_ += mcap_record(0x90, "whatever");
+    chunk_.clear();
+    in_chunk_ = 0;
+  }
+
+  McapLayout layout_;
+  std::map<std::string, std::uint16_t> channels_;
+  std::map<std::uint16_t, std::uint64_t> counts_;
+  std::string descriptions_, chunk_, out_ = magic() + mcap_record(1, sized("ros2") + sized("test"));
+  std::uint64_t taken_bytes_ = 0, messages_ = 0;
+  ros::Stamp_ns first_ = 0;
+  std::size_t in_chunk_ = 0;
+};
+
+inline std::string mcap_bytes(const std::vector<WrittenMessage>& messages, const McapLayout& layout = {}) {
+  McapWriter writer(layout);
+  for (const WrittenMessage& message : messages) writer.add(message);
+  writer.finish();
+  return writer.take();
 }
 
 inline std::string ros1_field(const std::string& name, const std::string& value) {

@@ -244,30 +244,22 @@ TEST(BagReader, WhatIsNoBagIsSaid) {
   EXPECT_FALSE(is_bag(place / "none.bag"));
 }
 
-/// Every file of a folder with its bytes.
-std::map<std::string, std::string> contents(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& file : fs::directory_iterator(folder))
-    files[file.path().filename().string()] = *read_whole_file(file.path());
-  return files;
-}
-
 TEST(BagReader, AJournalIsMergedAndNothingBesideTheBagChanges) {
   const SessionPlace place;
   fs::create_directories(place / "bag");
   write_db3(place / "whole.db3", texts(4));
   {
-    auto database = sqlite::Database::open(place / "whole.db3");
-    (void)database->run("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0");
+    auto database = sqlite::Database::create(place / "whole.db3");
+    (void)database->run("PRAGMA wal_autocheckpoint = 0");
     (void)database->run(
         "INSERT INTO messages(topic_id, timestamp, data) SELECT topic_id, timestamp, data FROM messages");
     for (const char* ending : {"", "-wal"})
       fs::copy_file(place / ("whole.db3" + std::string(ending)),
                     place / ("bag/bag_0.db3" + std::string(ending)));
   }
-  const auto before = contents(place / "bag");
+  const auto before = state_of_folder(place / "bag");
   EXPECT_THAT(read_bag(place / "bag").texts, SizeIs(8));
-  EXPECT_EQ(contents(place / "bag"), before);
+  EXPECT_EQ(state_of_folder(place / "bag"), before);
 }
 
 TEST(BagReader, SizesThatAChunkOnlyClaimsAreRefused) {

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "bags/bag_samples.hpp"
 #include "image_sequences/recordings.hpp"
 #include "pose_matchers.hpp"
@@ -242,13 +244,39 @@ TEST(BagImages, AnEncodingThatIsNotReadIsNamed) {
               AllOf(HasSubstr("has images in '16UC1'; mono8"), HasSubstr("none of the images")));
 }
 
+TEST(BagImages, TheBagsScansAreOnTheSameClock) {
+  auto messages = Recorded{}.messages();
+  for (int i = 0; i < 10; ++i) {
+    messages.push_back(packed_image(i, 400 + 0.1 * i));  // by another clock
+    messages.back().log_stamp = ros::stamp_ns(100.02 + 0.1 * i);
+  }
+  std::stable_sort(messages.begin(), messages.end(),
+                   [](const auto& a, const auto& b) { return a.log_stamp < b.log_stamp; });
+  const SessionPlace place;
+  write_file(place / "bag.mcap", mcap_bytes(messages));
+  const auto sequence = open_image_sequence((place / "bag.mcap").string());
+  ASSERT_TRUE(sequence.ok()) << to_string(sequence.problems());
+  const auto scans = (*sequence)->take_scans();
+  ASSERT_TRUE(scans);
+  EXPECT_FALSE((*sequence)->take_scans());
+  ASSERT_THAT(scans->log.scans, SizeIs(10));
+  EXPECT_TRUE(scans->has_mounting);
+  const auto images = read_all(**sequence);
+  ASSERT_THAT(images, SizeIs(10));
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_NEAR(images[i].stamp_s, scans->log.scans[i].time_s, 1e-6);
+    EXPECT_NEAR(images[i].T_odom_vehicle->x, 0.05 * static_cast<double>(i), 1e-6);
+  }
+  EXPECT_THAT(to_string((*sequence)->warnings()), HasSubstr("two clocks"));
+}
+
 TEST(BagImages, BesideTheOdometryTheVehicleStands) {
   auto messages = with(drive(), images());
   messages.push_back(packed_image(11, 105));
   const ReadImages read = read_images(messages);
   ASSERT_THAT(read.images, SizeIs(11));
-  EXPECT_THAT(read.warnings, HasSubstr("1 of 11 images are before its first or after its last message"));
-  EXPECT_FALSE(read_images(messages, {.odometry = "none"}).images[3].T_odom_vehicle);
+  EXPECT_THAT(read.warnings, HasSubstr("1 of 11 images were taken before the odometry begins"));
+  EXPECT_FALSE(read_images(messages, {.reading = {.odometry = "none"}}).images[3].T_odom_vehicle);
 }
 
 }  // namespace

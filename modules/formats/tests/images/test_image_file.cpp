@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "aisle/core/random.hpp"
 #include "aisle/formats/images/image_file.hpp"
 
@@ -102,6 +104,29 @@ TEST(ImageFile, ACutOffJpegIsRefused) {
   const Result<Image> read = parse_image(jpeg.substr(0, jpeg.size() / 2), "p.jpg");
   ASSERT_FALSE(read.ok());
   EXPECT_THAT(to_string(read.problems()), HasSubstr("p.jpg: is a JPEG that is cut off"));
+}
+
+TEST(ImageFile, StatedSizesAreRefusedBeforeMemoryIsTaken) {
+  std::string png = png_bytes(Image(8, 8));
+  png.replace(16, 8, std::string("\0\0\x40\0\0\0\x40\0", 8));  // 16384 x 16384
+  const auto crc = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(png.data() + 12), 17));
+  for (std::size_t i = 0; i < 4; ++i) png[29 + i] = static_cast<char>(crc >> (24 - 8 * i));
+  EXPECT_THAT(to_string(parse_image(png, "p.png").problems()),
+              HasSubstr("p.png: has 16384 x 16384 pixels; at most"));
+  EXPECT_THAT(to_string(parse_image("P5 30000 2 255\n", "p.pgm").problems()),
+              HasSubstr("has 30000 x 2 pixels"));
+}
+
+TEST(ImageFile, EveryKindThatIsReadStatesItsSize) {
+  const cv::Mat pixels(7, 9, CV_8UC3, cv::Scalar(10, 20, 30));
+  for (const char* kind : {".png", ".jpg", ".ppm", ".bmp", ".tiff", ".webp"}) {
+    std::vector<std::uint8_t> bytes;
+    ASSERT_TRUE(cv::imencode(kind, pixels, bytes)) << kind;
+    const auto image = parse_image({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "p");
+    ASSERT_TRUE(image.ok()) << kind << to_string(image.problems());
+    EXPECT_EQ(image->width_px, 9) << kind;
+    EXPECT_EQ(image->height_px, 7) << kind;
+  }
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Imported {
   KnownSensors known = {};
 };
 
-constexpr KnownSensors kAllKnown = {.lens = true, .mount = true};
+constexpr KnownSensors kAllKnown = {.lens = true, .mount = true, .scanner_mount = true};
 
 /// Images along a slalom, 0.2 s apart.
 std::vector<TimedImage> slalom(bool has_odometry) {
@@ -147,6 +147,29 @@ TEST_F(ImportedSessionTest, WheelsLeadAlongTheRecordedPoses) {
     }
     EXPECT_THAT(messages_on("/camera/front/camera_info"), SizeIs(images.size()));
   }
+}
+
+TEST_F(ImportedSessionTest, ScansAndImagesAreCyclesOfTheirOwn) {
+  VehicleDescription vehicle = sample_vehicle();
+  ImportedSession session = create({true, {.scanner_mount = true}}, vehicle);
+  TimedImage image{.stamp_s = 100, .bytes = sample_jpeg(1, 64, 48), .T_odom_vehicle = Pose2{}};
+  TimedScan scan{.stamp_s = 100.5, .scan = {100.25, {1, 2, 3, 4, 5, 6, 7, 8, 9}}, .reading_period_s = 0.0625};
+  scan.T_odom_vehicle = Pose2{0.25, 0, 0};
+  ASSERT_THAT(session.take(image), IsEmpty());
+  ASSERT_THAT(session.take(scan), IsEmpty());
+  ASSERT_THAT(session.finish(), IsEmpty());
+  const auto all = cycles();
+  ASSERT_THAT(all, SizeIs(2));
+  EXPECT_FALSE(all[0].observation.scan);
+  ASSERT_TRUE(all[1].observation.scan);
+  EXPECT_EQ(all[1].observation.stamp_s, 100.5);
+  EXPECT_EQ(all[1].observation.scan->stamp_s, 100.25);
+  EXPECT_EQ(all[1].observation.scan->ranges_m, scan.scan.ranges_m);
+  EXPECT_NEAR(odometry_step(vehicle, all[1].observation.odometry).x, 0.25, 1e-9);
+  EXPECT_EQ(parse_cdr<ros::LaserScan>(messages_on("/scan")[0])->time_increment, 0.0625F);
+  const auto frames = messages_on("/tf_static");
+  ASSERT_THAT(frames, SizeIs(1));
+  EXPECT_THAT(parse_cdr<ros::TFMessage>(frames[0])->transforms, SizeIs(1));  // of the scanner alone
 }
 
 TEST_F(ImportedSessionTest, TellsHowFarWheelsCannotFollow) {

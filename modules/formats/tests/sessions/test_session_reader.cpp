@@ -93,7 +93,9 @@ TEST_F(DamagedSession, BagsOfOtherLayoutsNameTheLayoutThatIsRead) {
   };
   EXPECT_EQ(trouble(metadata_with("sqlite3", "", "[drive_0.db3]")), "");
   EXPECT_THAT(trouble(metadata_with("mcap", "", "[drive_0.mcap]")),
-              HasSubstr("metadata.yaml: storage_identifier: 'mcap' is not read, only sqlite3"));
+              HasSubstr("drive_0.mcap: is missing, though metadata.yaml names it"));
+  EXPECT_THAT(trouble(metadata_with("rosbag_v2", "", "[drive_0.bag]")),
+              HasSubstr("metadata.yaml: storage_identifier: 'rosbag_v2' is not read, only sqlite3 and mcap"));
   EXPECT_THAT(trouble(metadata_with("sqlite3", "zstd", "[drive_0.db3.zstd]")),
               HasSubstr("metadata.yaml: compression_format: 'zstd' is not read"));
   EXPECT_THAT(trouble(metadata_with("sqlite3", "", "[drive_0.db3, drive_1.db3]")),

@@ -55,7 +55,8 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
     : params_(params),
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
-      localiser_(params.localiser, sensor_->scanner(), building.walls, about_start(T_map_start, params)),
+      walls_(building.walls),
+      localiser_(params.localiser, sensor_->scanner(), walls_, about_start(T_map_start, params)),
       has_barriers_(!building.barriers.empty()),
       floor_(floor_of(building, params.legs)),
       search_(params.search, vehicle),
@@ -74,6 +75,27 @@ Decision GuideNavigator::step(const Observation& observation) {
   if (next_ < p_map_places_.size()) search_path(stamp_s);
   if (next_ == p_map_places_.size()) return {.status = NavigatorStatus::kDone, .state = "arrived"};
   return drive(observation);
+}
+
+void GuideNavigator::send_to(std::vector<Vec2> p_map_places, double stamp_s) {
+  p_map_places_ = std::move(p_map_places);
+  next_ = 0;
+  progress_s_ = stamp_s;
+  relaxes_clearance_ = false;
+  drop_path();
+}
+
+void GuideNavigator::relocate(const Pose2& T_map_vehicle, double stamp_s) {
+  localiser_.begin_at(about_start(T_map_vehicle, params_));
+  T_map_vehicle_ = T_map_vehicle;
+  T_scan_vehicle_ = {};
+  localised_s_ = progress_s_ = stamp_s;
+  drop_path();
+}
+
+void GuideNavigator::begin_at(const UncertainPose2& T_map_vehicle) {
+  localiser_.begin_at(T_map_vehicle);
+  T_map_vehicle_ = T_map_vehicle.mean;
 }
 
 void GuideNavigator::locate(const Observation& observation) {
@@ -102,7 +124,7 @@ std::string GuideNavigator::why_failed(const Observation& observation) {
   if (observation.bumper_pressed) return "the bumper is pressed";
   if (observation.stamp_s - localised_s_ > params_.lost_s)
     return "lost: what it sees fits no walls that it knows";
-  if (observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
+  if (next_ == p_map_places_.size() || observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
   const Vec2& p = p_map_places_[next_];
   return fmt::format("there is no path to {:.1f}, {:.1f}{}", p.x(), p.y(),
                      has_barriers_ ? " that crosses neither keep-out lines nor glass" : "");

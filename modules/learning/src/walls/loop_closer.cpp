@@ -238,7 +238,7 @@ bool LoopCloser::confirm(const Pending& found) {
         other.constraint.to < found.constraint.to && other.constraint.to + 3 >= found.constraint.to;
     if (!recent || (other.correction_m - found.correction_m).norm() >= params_.agree_m) continue;
     confirmed = true;
-    if (!other.taken) take(other.constraint);
+    if (!other.taken && !is_closed(other.constraint.to, other.constraint.from)) take(other.constraint);
     other.taken = true;
   }
   pending_.push_back(found);

@@ -241,7 +241,8 @@ RefinedFit refine_fit(const Submap& submap, const Pose2& T_map_anchor, const Wal
       const double offset_weight =
           common_m / square(kOffsetSigma_m) / (1 + square(offset_m / kMatchCauchy_m));
       const double heading_weight = common_m / square(kMatchHeadingSigma_rad);
-      const Vec2 lever = wall.middle() - fit.T_map_anchor.position();
+      // A wall that stays on its axis through a turn keeps the distance of the point that turned: its anchor.
+      const Vec2 lever = (wall.is_oblique() ? wall.middle() : wall.anchor) - fit.T_map_anchor.position();
       const Vec3 jacobian(hit.wall->normal.x(), hit.wall->normal.y(),
                           hit.wall->normal.dot(left_normal(lever)));
       fit.information += offset_weight * jacobian * jacobian.transpose();

@@ -13,8 +13,10 @@ namespace {
 constexpr double kOneLine_m = 0.08;        // both ends within this of a stronger wall's line: the same wall
 constexpr double kOneLineDirection = 0.9;  // cosine of the angle between the two
 constexpr double kTouch_m = 0.2;
-constexpr double kStrengthCap_m = 4;    // longer walls are not stronger
-constexpr double kOrthogonalTrust = 3;  // weight against an oblique wall seen as often
+constexpr double kRival_m = 0.12;          // as far apart as a sighting and its wall may be
+constexpr double kRivalDirection = 0.985;  // cosine of 10 degrees
+constexpr double kStrengthCap_m = 4;       // longer walls are not stronger
+constexpr double kOrthogonalTrust = 3;     // weight against an oblique wall seen as often
 constexpr double kBin_m = 0.1;
 constexpr std::size_t kGapMaxBins = 3;  // unseen gaps up to this are closed
 constexpr int kHitsMin = 2;             // on a path of one leg, one
@@ -122,6 +124,14 @@ class Drawing {
   /// @param legs  of the path: nothing can be seen on more
   WallMap walls(double length_min_m, int sightings_min, int legs) {
     hits_min_ = std::min(kHitsMin, legs);
+    for (std::size_t a = 0; a < strokes_.size(); ++a) {
+      const Segment2 segment = strokes_[a].wall.segment();
+      index_.query(segment.start, segment.end, kRival_m, near_);
+      for (const int b : near_) {
+        if (static_cast<std::size_t>(b) > a)
+          settle_rivals(strokes_[a], strokes_[static_cast<std::size_t>(b)]);
+      }
+    }
     WallMap map;
     for (const Stroke& stroke : strokes_) {
       for (std::size_t first = 0; first < stroke.hits.size();) {
@@ -190,6 +200,22 @@ class Drawing {
                  host_weight = host.offset_weight * host.length_m();
     host.anchor += host.normal * (host.offset_of(wall.middle()) * weight / (weight + host_weight));
     host.offset_weight += wall.offset_weight;
+  }
+
+  /// Of two walls that look the same way, one hides the other: where both were seen, the one that was seen
+  /// more often is there. A wall with a kink is two lines that cross.
+  void settle_rivals(Stroke& a, Stroke& b) const {
+    if (a.wall.along.dot(b.wall.along) < kRivalDirection) return;
+    for (std::size_t i = 0; i < a.hits.size(); ++i) {
+      const double at_m = a.wall.extent.min + kBin_m * (static_cast<double>(i) + 0.5);
+      const Vec2 p = a.wall.anchor + at_m * a.wall.along;
+      const double at_b_m = b.wall.along.dot(p - b.wall.anchor);
+      if (at_b_m < b.wall.extent.min || at_b_m > b.wall.extent.max) continue;
+      if (std::abs(b.wall.offset_of(p)) > kRival_m) continue;
+      LegCount &of_a = a.hits[i], &of_b = b.hits[b.bin(at_b_m)];
+      if (of_a.count < hits_min_ || of_b.count < hits_min_) continue;
+      (of_a.count < of_b.count ? of_a : of_b).count = 0;
+    }
   }
 
   std::size_t end_of_run(const Stroke& stroke, std::size_t first) const {

@@ -25,10 +25,10 @@ struct PlacedScan {
   LaserScanner laser;  ///< that took it, with the scan's beams
 };
 
-/// Draws the final map: walls on one line that touch become one; parts that beams passed through or the
-/// vehicle drove through are cut out; walls shorter or seen more rarely than the two limits are left out.
-/// Repeated sightings without moving on count once. Scans and sightings must be in the order of the path.
-/// O(sightings + beams * walls near each beam).
+/// Draws the final map: walls on one line that touch become one; of two that lie on one another the one seen
+/// more often is drawn there; parts that beams passed through or the vehicle drove through are cut out; walls
+/// shorter or seen more rarely than the two limits are left out. Repeated sightings without moving on count
+/// once. Scans and sightings must be in the order of the path. O(sightings + beams * walls near each beam).
 WallMap draw_walls(const std::vector<WallEstimate>& walls, std::span<const WallSighting> sightings,
                    std::span<const PlacedScan> scans, double length_min_m, int sightings_min);
 

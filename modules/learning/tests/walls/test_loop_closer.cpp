@@ -321,18 +321,20 @@ TEST(LoopCloser, RefusesPlacesThatLookAlikeWithinReach) {
 TEST(LoopCloser, ASubmapIsClosedOnceWithEachPlace) {
   TrackedDrive drive = drive_around();
   add_slip(0.01, -0.012, drive);
-  LoopCloser closer = closer_of(drive, ring_of_corridors());
-  closer.finish(drive.keyframes);
-  const std::vector<LoopClosure> closures = closer.closures();
-  EXPECT_THAT(closures, Not(IsEmpty()));
-  for (const LoopClosure& a : closures) {
-    EXPECT_GT(closer.submaps()[a.newer].path_m - closer.submaps()[a.older].path_m, 12 - 1e-9);
-    EXPECT_EQ(std::count_if(closures.begin(), closures.end(),
-                            [&](const LoopClosure& b) {
-                              return b.newer == a.newer && b.older < a.older + 3 && a.older < b.older + 3;
-                            }),
-              1)
-        << a.older << " " << a.newer;
+  for (const double reach_floor_m : {LoopParams{}.reach_floor_m, 1.2}) {
+    LoopCloser closer = closer_of(drive, ring_of_corridors(), {.reach_floor_m = reach_floor_m});
+    closer.finish(drive.keyframes);
+    const std::vector<LoopClosure> closures = closer.closures();
+    EXPECT_THAT(closures, Not(IsEmpty()));
+    for (const LoopClosure& a : closures) {
+      EXPECT_GT(closer.submaps()[a.newer].path_m - closer.submaps()[a.older].path_m, 12 - 1e-9);
+      EXPECT_EQ(std::count_if(closures.begin(), closures.end(),
+                              [&](const LoopClosure& b) {
+                                return b.newer == a.newer && b.older < a.older + 3 && a.older < b.older + 3;
+                              }),
+                1)
+          << a.older << " " << a.newer << " reach " << reach_floor_m;
+    }
   }
 }
 

@@ -333,6 +333,7 @@ TEST(RefineFit, InformationFollowsTheSlopesOfTheDistances) {
   for (const Segment2& segment : office()) {
     const double half_m = segment.length() / 2;
     expect_slopes(learned_wall(segment, false), {-half_m, half_m});
+    expect_slopes(learned_wall(segment, false), {-half_m, 3 * half_m});
     expect_slopes(learned_wall(Pose2{1, 2, 0.4} * segment, true), {-half_m, half_m});
     expect_slopes(learned_wall(Pose2{1, 2, 0.4} * segment, true), {-half_m, 3 * half_m});
   }

@@ -66,6 +66,21 @@ TEST(WallDrawing, TwoEstimatesOfOneWallBecomeOneSegment) {
   EXPECT_NEAR(map.walls[0].segment.midpoint().y(), 0, 0.015);
 }
 
+/// A wall with a kink at x = 2: its straight part was taken for the whole, and the bent part is a wall of its
+/// own.
+TEST(WallDrawing, AWallWithAKinkIsDrawnOnceEverywhere) {
+  const Segment2 straight{{5, 0}, {0.5, 0}}, bent{{2.5, 0.05}, {0, -0.2}};
+  std::vector<WallSighting> sightings = seen_along({{5, 0}, {2, 0}}, 0, 9);
+  for (const WallSighting& s : seen_along(straight, 0, 2)) sightings.push_back(s);
+  for (const WallSighting& s : seen_along(bent, 1, 5)) sightings.push_back(s);
+  const WallMap map =
+      draw({wall_of(straight, Facing::kOblique, 15), wall_of(bent, Facing::kOblique, 9)}, sightings);
+  ASSERT_THAT(map.walls, SizeIs(2));
+  double drawn_m = 0;
+  for (const Wall& wall : map.walls) drawn_m += wall.segment.length();
+  EXPECT_NEAR(drawn_m, 5, 0.35) << "nothing is drawn twice";
+}
+
 TEST(WallDrawing, TheTwoSidesOfAWallStayTwo) {
   const Segment2 south{{5, 0}, {0, 0}}, north{{0, 0.06}, {5, 0.06}};
   std::vector<WallSighting> sightings = seen_along(south, 0, 3);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "aisle/formats/buildings/building_json.hpp"
@@ -70,18 +72,29 @@ std::size_t node_nearest(const CorridorGraph& graph, const Vec2& p_map) {
   return static_cast<std::size_t>(nearest - graph.nodes.begin());
 }
 
-Problems check_guidable(const Building& building, const VehicleDescription& vehicle) {
-  Problems problems;
-  const auto need = [&](bool is_there, const char* key) {
-    if (!is_there)
-      problems.push_back(
-          {{"", 0, key}, "are missing: the building was not explored; 'aisle explore' does that"});
-  };
-  need(!building.walls.walls.empty(), "walls");
-  need(!building.corridors.nodes.empty(), "corridors");
-  need(building.floor && !building.floor->known().empty(), "floor.rows");
-  if (!vehicle.scanner) problems.push_back({{"", 0, "scanner"}, "is missing: the vehicle cannot see walls"});
-  return problems;
+constexpr const char* kStartMark = "; start ";  // between goal and start in a session's record
+
+std::string start_text(const MissionStart& start) {
+  if (start.is_home()) return "";
+  if (start.is_unknown) return std::string(kStartMark) + "unknown";
+  const Pose2& T = *start.T_map_hint;
+  return fmt::format("{}{},{},{}", kStartMark, T.x, T.y, T.theta);
+}
+
+/// "unknown", or "x,y,heading" in metres and radians.
+Result<MissionStart> start_of(const std::string& text) {
+  if (text.empty()) return MissionStart{};
+  if (text == "unknown") return MissionStart{.is_unknown = true, .T_map_hint = {}};
+  const std::size_t comma = text.rfind(',');
+  const auto point = comma == std::string::npos ? std::nullopt : point_of(text.substr(0, comma));
+  double heading_rad = 0;
+  const char* const end = text.data() + text.size();
+  if (point) {
+    const auto [rest, error] = std::from_chars(text.data() + comma + 1, end, heading_rad);
+    if (error == std::errc() && rest == end && std::isfinite(heading_rad))
+      return MissionStart{.is_unknown = false, .T_map_hint = Pose2{point->x(), point->y(), heading_rad}};
+  }
+  return Problem{{"", 0, "route"}, fmt::format("'{}' is no start", text)};
 }
 
 Result<Goal> goal_of(const Building& building, const std::string& text) {
@@ -97,6 +110,20 @@ Result<Goal> goal_of(const Building& building, const std::string& text) {
 }
 
 }  // namespace
+
+Problems check_guidable(const Building& building, const VehicleDescription& vehicle) {
+  Problems problems;
+  const auto need = [&](bool is_there, const char* key) {
+    if (!is_there)
+      problems.push_back(
+          {{"", 0, key}, "are missing: the building was not explored; 'aisle explore' does that"});
+  };
+  need(!building.walls.walls.empty(), "walls");
+  need(!building.corridors.nodes.empty(), "corridors");
+  need(building.floor && !building.floor->known().empty(), "floor.rows");
+  if (!vehicle.scanner) problems.push_back({{"", 0, "scanner"}, "is missing: the vehicle cannot see walls"});
+  return problems;
+}
 
 Pose2 home_of(const Building& building) {
   const auto home = std::find_if(building.places.begin(), building.places.end(),
@@ -130,13 +157,13 @@ Result<Goal> patrol_goal(const Building& building, int rounds) {
   return goal;
 }
 
-SessionOrigin GuideDriver::origin(const GuideNavigatorParams& params, std::string building,
-                                  std::string goal) {
+SessionOrigin GuideDriver::origin(const GuideNavigatorParams& params, std::string building, std::string goal,
+                                  const MissionStart& start) {
   SessionOrigin origin;
   origin.navigator = kName;
   origin.parameters = changed_parameters(params);
   origin.building = std::move(building);
-  origin.route = std::move(goal);
+  origin.route = std::move(goal) + start_text(start);
   return origin;
 }
 
@@ -147,16 +174,31 @@ Result<std::unique_ptr<GuideDriver>> GuideDriver::make(const SessionOrigin& orig
   GuideNavigatorParams params;
   if (Problems problems = assign_all(params, origin.parameters); !problems.empty()) return problems;
   if (Problems problems = check_guidable(*building, vehicle); !problems.empty()) return problems;
-  auto goal = goal_of(*building, origin.route);
+  const std::size_t mark = origin.route.find(kStartMark);
+  auto goal = goal_of(*building, origin.route.substr(0, mark));
   if (!goal) return goal.problems();
-  return std::make_unique<GuideDriver>(params, vehicle, std::move(*building), std::move(*goal));
+  const auto start = start_of(
+      mark == std::string::npos ? "" : origin.route.substr(mark + std::string_view(kStartMark).size()));
+  if (!start) return start.problems();
+  return std::make_unique<GuideDriver>(params, vehicle, std::move(*building), std::move(*goal), *start);
 }
 
 GuideDriver::GuideDriver(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
-                         Building building, Goal goal)
+                         Building building, Goal goal, const MissionStart& start)
     : building_(std::move(building)),
       goal_(std::move(goal)),
       navigator_(params, vehicle, building_, home_of(building_), goal_.p_map_places, scanner_scans(vehicle)) {
+  if (!start.is_home())
+    finder_ = std::make_unique<PlaceFinder>(PlaceFinderParams{}, vehicle, building_, start.T_map_hint);
+}
+
+Decision GuideDriver::step(const Observation& observation) {
+  if (!finder_) return navigator_.step(observation);
+  Decision decision = finder_->step(observation);
+  if (decision.status != NavigatorStatus::kDone) return decision;
+  navigator_.begin_at(finder_->localiser().T_map_vehicle());
+  finder_.reset();
+  return {.state = "found"};
 }
 
 }  // namespace aisle

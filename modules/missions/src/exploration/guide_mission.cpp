@@ -22,36 +22,49 @@ ViewMatch wall_match(const WallLocaliser& localiser) {
 class GuideMissionRecorder final : public MissionRecorder {
  public:
   GuideMissionRecorder(std::optional<SessionRecord>& session, const Vehicle& vehicle,
-                       const TruthSource* truth, const GuideNavigator& navigator, GuideMissionResult& result)
-      : MissionRecorder(session, vehicle, truth), navigator_(navigator), result_(result) {}
+                       const TruthSource* truth, const GuideDriver& driver, GuideMissionResult& result)
+      : MissionRecorder(session, vehicle, truth), driver_(driver), result_(result) {}
 
   using MissionRecorder::keep;
 
   Problems keep(const Decision& decision) override {
-    result_.T_map_vehicle.push_back(navigator_.T_map_vehicle());
+    if (driver_.is_finding()) return MissionRecorder::keep(decision);
+    const GuideNavigator& navigator = driver_.navigator();
+    result_.T_map_vehicle.push_back(navigator.T_map_vehicle());
     if (const Pose2* T_world = T_world_vehicle()) result_.T_world_vehicle.push_back(*T_world);
-    show_pose({navigator_.T_map_vehicle()});
-    show_plan(navigator_.path());
-    show_match(wall_match(navigator_.localiser()));
-    show_floor(navigator_.floor().grid());
+    show_pose({navigator.T_map_vehicle()});
+    show_plan(navigator.path());
+    show_match(wall_match(navigator.localiser()));
+    show_floor(navigator.floor().grid());
     return MissionRecorder::keep(decision);
   }
 
  private:
-  const GuideNavigator& navigator_;
+  const GuideDriver& driver_;
   GuideMissionResult& result_;
 };
+
+/// @param driver  GuideDriver or GoalFollower
+Result<GuideMissionResult> driven(Vehicle& vehicle, const TruthSource* truth, auto& driver,
+                                  std::optional<SessionRecord>& session, Progress& progress) {
+  GuideMissionResult result;
+  GuideMissionRecorder record(session, vehicle, truth, driver, result);
+  if (Problems problems = drive_mission(vehicle, truth, driver, record, progress, result); !problems.empty())
+    return problems;
+  return result;
+}
 
 }  // namespace
 
 Result<GuideMissionResult> drive_guide_mission(Vehicle& vehicle, const TruthSource* truth,
                                                GuideDriver& driver, std::optional<SessionRecord>& session,
                                                Progress& progress) {
-  GuideMissionResult result;
-  GuideMissionRecorder record(session, vehicle, truth, driver.navigator(), result);
-  if (Problems problems = drive_mission(vehicle, truth, driver, record, progress, result); !problems.empty())
-    return problems;
-  return result;
+  return driven(vehicle, truth, driver, session, progress);
+}
+
+Result<GuideMissionResult> follow_goals(Vehicle& vehicle, GoalFollower& follower,
+                                        std::optional<SessionRecord>& session, Progress& progress) {
+  return driven(vehicle, nullptr, follower, session, progress);
 }
 
 double graph_coverage(const CorridorGraph& graph, const std::vector<Pose2>& T_map_vehicle,

@@ -37,6 +37,16 @@ std::vector<StartSighting> start_view(const LandmarkRun& run, const std::vector<
   return {};
 }
 
+/// Of places with the same name, the one that was named last.
+std::vector<MapPlace> places_of(const LandmarkRun& run, const std::vector<Pose2>& T_map_vehicle) {
+  std::vector<MapPlace> places;
+  for (const auto& [cycle, name] : run.places) {
+    std::erase_if(places, [&](const MapPlace& place) { return place.name == name; });
+    places.push_back({name, T_map_vehicle[cycle]});
+  }
+  return places;
+}
+
 }  // namespace
 
 Result<LandmarkLearningResult> learn_route(const LandmarkRun& run, const std::string& route,
@@ -58,6 +68,7 @@ Result<LandmarkLearningResult> learn_route(const LandmarkRun& run, const std::st
   result.building.wall_directions = std::move(learned.wall_directions);
   result.building.routes.push_back(
       {.name = route, .path = std::move(path), .start_view = start_view(run, learned.T_map_vehicle)});
+  result.building.places = places_of(run, learned.T_map_vehicle);
   result.T_map_taught = std::move(learned.T_map_vehicle);
   return result;
 }

@@ -13,7 +13,11 @@ const CameraDescription& corridor_camera(const VehicleDescription& vehicle) {
 
 LandmarkRunCollector::LandmarkRunCollector(const LandmarkSightingParams& params,
                                            const VehicleDescription& vehicle)
-    : run{.vehicle = vehicle, .camera = corridor_camera(vehicle), .cycles = {}, .T_world_vehicle = {}},
+    : run{.vehicle = vehicle,
+          .camera = corridor_camera(vehicle),
+          .cycles = {},
+          .places = {},
+          .T_world_vehicle = {}},
       detector_(params, run.camera.intrinsics, run.camera.mount) {}
 
 void LandmarkRunCollector::add(const Observation& observation) {
@@ -22,6 +26,10 @@ void LandmarkRunCollector::add(const Observation& observation) {
   if (const CameraImage* image = present_image(observation, run.camera.name, run.vehicle.cycle_s)) {
     cycle.sightings = detector_.detect(*image->pixels);
     for (const FloorEdge& edge : detector_.floor_edges()) cycle.floor_edges.push_back(edge.on_floor);
+  }
+  for (const Mark& mark : observation.operator_input.marks) {
+    if (mark.kind == Mark::Kind::kPlace && !mark.label.empty())
+      run.places.push_back({run.cycles.size(), mark.label});
   }
   run.cycles.push_back(std::move(cycle));
 }

@@ -9,6 +9,7 @@
 #include "aisle/guidance/rooms/room_cameras.hpp"
 #include "aisle/missions/changed_parameters.hpp"
 #include "aisle/missions/route_name.hpp"
+#include "aisle/vision/route/route_view.hpp"
 
 namespace aisle {
 Result<Route> find_room_route(const Building& building, const std::string& name) {
@@ -33,8 +34,15 @@ Problems unfit_for_rooms(const VehicleDescription& vehicle, const std::vector<st
     problems.push_back(
         {{"", 0, "is_differential"}, "is true: paths through rooms need a front-steered vehicle"});
   for (const std::string& name : cameras) {
-    if (vehicle.camera(name) == nullptr)
+    const CameraDescription* camera = vehicle.camera(name);
+    if (camera == nullptr) {
       problems.push_back({{"", 0, "cameras"}, fmt::format("lack '{}', which looks at the route", name)});
+      continue;
+    }
+    if (!RouteView::sees_floor(camera->intrinsics, camera->mount, camera->width_px, camera->height_px))
+      problems.push_back(
+          {{"", 0, fmt::format("cameras.{}", name)},
+           "does not see the floor in the middle of its lowest row: it must look down at the route"});
   }
   return problems;
 }

@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kClearanceCellsMax = 16e6;
+constexpr double kClearanceCellsMax = 8e6;
 constexpr double kHalfDiagonal = 0.7072;  ///< cells: how far an obstacle may be from the middle of its cell
 
 }  // namespace
@@ -27,6 +27,7 @@ ClearanceGrid::ClearanceGrid(std::span<const Segment2> obstacles, double cell_m)
   rows_ = static_cast<int>(std::ceil((max.y() - corner_.y()) / cell_m_)) + 2;
 
   cv::Mat free(rows_, columns_, CV_8U, cv::Scalar(1));
+  cv::rectangle(free, {0, 0, columns_, rows_}, cv::Scalar(0));  // nobody knows what is beyond
   for (const Segment2& s : obstacles) {
     const int steps = static_cast<int>(std::ceil(s.length() / (cell_m_ / 4))) + 1;
     for (int i = 0; i <= steps; ++i) {

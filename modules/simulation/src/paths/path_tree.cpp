@@ -39,18 +39,18 @@ PathTree::PathTree(const ClearanceGrid& grid, const DrivableArea& area, std::siz
   find_cheapest_paths(progress);
 }
 
-/// Steps to the eight neighbours; an area never reaches the border of its grid.
-std::vector<PathTree::Step> PathTree::steps_from(std::size_t cell) const {
-  std::vector<Step> steps;
+/// Calls with every step to one of the eight neighbours; cells at the border of a grid have no clearance, so
+/// an area never reaches it.
+template <class Use>
+void PathTree::for_steps_from(std::size_t cell, Use use) const {
   const auto columns = static_cast<std::size_t>(grid_.columns());
   for (const std::size_t row : {cell - columns, cell, cell + columns}) {
     for (const std::size_t next : {row - 1, row, row + 1}) {
       if (next == cell || !area_.contains[next]) continue;
       const bool is_diagonal = row != cell && next != row;
-      steps.push_back({next, (is_diagonal ? std::sqrt(2.0) : 1.0) * grid_.cell_m()});
+      use(Step{next, (is_diagonal ? std::sqrt(2.0) : 1.0) * grid_.cell_m()});
     }
   }
-  return steps;
 }
 
 void PathTree::find_cheapest_paths(Progress& progress) {
@@ -65,20 +65,22 @@ void PathTree::find_cheapest_paths(Progress& progress) {
     by_cost_.push_back(visit.cell);
     if (by_cost_.size() % kCellsAReport == 0)
       progress.report("planning a tour", by_cost_.size(), area_.cells);
-    for (const Step& step : steps_from(visit.cell)) {
+    for_steps_from(visit.cell, [&](const Step& step) {
       const double total = visit.cost + step.length_m * cost_a_metre(grid_.clearance_m(step.cell));
-      if (total >= cost[step.cell]) continue;
+      if (total >= cost[step.cell]) return;
       cost[step.cell] = total;
       parent_[step.cell] = visit.cell;
       queue.push({total, step.cell});
-    }
+    });
   }
 }
 
-void PathTree::choose_paths(double reach_m) {
+void PathTree::choose_paths(double reach_m, Progress& progress) {
   chosen_[root_] = true;
-  cover_around(root_, reach_m);
+  cover_around({root_}, reach_m);
+  std::size_t done = 0;
   for (auto target = by_cost_.rbegin(); target != by_cost_.rend(); ++target) {
+    if (++done % kCellsAReport == 0) progress.report("covering the floor", done, by_cost_.size());
     if (nearest_path_m_[*target] > reach_m) choose_path_towards(*target, reach_m);
   }
 }
@@ -92,38 +94,44 @@ void PathTree::choose_path_towards(std::size_t target, double reach_m) {
     cell = parent_[cell];
   }
   double since_cover_m = kCoverSpacing_m;
+  std::vector<std::size_t> middles;
   for (; !chosen_[cell]; cell = parent_[cell]) {
     chosen_[cell] = true;
     if (since_cover_m >= kCoverSpacing_m) {
-      cover_around(cell, reach_m);
+      middles.push_back(cell);
       since_cover_m = 0;
     }
     since_cover_m += grid_.cell_m();
   }
+  cover_around(middles, reach_m);
   nearest_path_m_[target] = 0;
 }
 
-void PathTree::cover_around(std::size_t cell, double reach_m) {
+/// From all cells of a path at once, so that each cell of the floor is reached about once for a path.
+void PathTree::cover_around(const std::vector<std::size_t>& cells, double reach_m) {
   Queue queue;
-  nearest_path_m_[cell] = 0;
-  queue.push({0, cell});
+  for (const std::size_t cell : cells) {
+    nearest_path_m_[cell] = 0;
+    queue.push({0, cell});
+  }
   while (!queue.empty()) {
     const Visit visit = queue.top();
     queue.pop();
-    for (const Step& step : steps_from(visit.cell)) {
-      const double distance_m = visit.cost + step.length_m;
-      if (distance_m > reach_m || distance_m >= static_cast<double>(nearest_path_m_[step.cell])) continue;
-      nearest_path_m_[step.cell] = static_cast<float>(distance_m);
-      queue.push({distance_m, step.cell});
-    }
+    if (visit.cost > static_cast<double>(nearest_path_m_[visit.cell])) continue;
+    for_steps_from(visit.cell, [&](const Step& step) {
+      const auto distance_m = static_cast<float>(visit.cost + step.length_m);
+      if (distance_m > reach_m || distance_m >= nearest_path_m_[step.cell]) return;
+      nearest_path_m_[step.cell] = distance_m;
+      queue.push({static_cast<double>(distance_m), step.cell});
+    });
   }
 }
 
 std::vector<std::size_t> PathTree::branches(std::size_t cell) const {
   std::vector<std::size_t> branches;
-  for (const Step& step : steps_from(cell)) {
+  for_steps_from(cell, [&](const Step& step) {
     if (chosen_[step.cell] && parent_[step.cell] == cell) branches.push_back(step.cell);
-  }
+  });
   return branches;
 }
 

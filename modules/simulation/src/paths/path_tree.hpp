@@ -20,7 +20,7 @@ class PathTree {
   PathTree(const ClearanceGrid& grid, const DrivableArea& area, std::size_t root, Progress& progress);
 
   /// Chooses paths until every cell of the area is within `reach_m`, measured over the floor, of one.
-  void choose_paths(double reach_m);
+  void choose_paths(double reach_m, Progress& progress);
 
   std::size_t root() const { return root_; }
   /// The cells that chosen paths lead to next from this one.
@@ -32,10 +32,11 @@ class PathTree {
     double length_m = 0;
   };
 
-  std::vector<Step> steps_from(std::size_t cell) const;
+  template <class Use>
+  void for_steps_from(std::size_t cell, Use use) const;
   void find_cheapest_paths(Progress& progress);
   void choose_path_towards(std::size_t target, double reach_m);
-  void cover_around(std::size_t cell, double reach_m);
+  void cover_around(const std::vector<std::size_t>& cells, double reach_m);
 
   const ClearanceGrid& grid_;
   const DrivableArea& area_;

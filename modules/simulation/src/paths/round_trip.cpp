@@ -177,7 +177,7 @@ std::optional<RoundTrip> plan_round_trip(const World& world, const RoundTripPara
   if (area.cells == 0) return std::nullopt;
 
   PathTree tree(grid, area, root_of(world, grid, area), progress);
-  tree.choose_paths(params.reach_m);
+  tree.choose_paths(params.reach_m, progress);
   const Straightener straightener(grid, clearance_min_m);
   RoundTrip run;
   run.drivable_m2 = static_cast<double>(area.cells) * square(grid.cell_m());

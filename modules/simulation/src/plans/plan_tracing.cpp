@@ -19,6 +19,7 @@ constexpr double kToleranceMin = 0.5;   ///< cells
 constexpr double kSmallShape = 16;      ///< tolerances: a smaller one keeps its shape by a smaller tolerance
 constexpr double kTinyShape = 4;        ///< cells: what is smaller keeps every corner
 constexpr double kLongSegment = 8;      ///< cells
+constexpr std::size_t kCornersMax = 1'000'000;  ///< five for each of the walls that a world may have
 constexpr std::size_t kDirectionPieces = 1000;  ///< the longest, to find the dominant direction
 constexpr double kSameDirection_rad = 4 * kDegree;
 constexpr double kDominantShareMin = 0.3;
@@ -172,9 +173,25 @@ std::vector<double> frames_of(const std::vector<CutOutline>& outlines) {
   return {0};
 }
 
+/// Every corner of a border is where three of four cells agree, or where two touch at a corner: counted
+/// before memory is taken for them.
+std::size_t corners_of(const FloorPlan& plan) {
+  std::size_t corners = 0;
+  for (int y = 0; y <= plan.height; ++y) {
+    for (int x = 0; x <= plan.width; ++x) {
+      const bool a = plan.is_solid(x - 1, y - 1), b = plan.is_solid(x, y - 1), c = plan.is_solid(x - 1, y),
+                 d = plan.is_solid(x, y);
+      corners += (a != b) != (c != d) ? 1 : a == d && b == c && a != b ? 2 : 0;
+    }
+  }
+  return corners;
+}
+
 }  // namespace
 
-std::vector<Segment2> trace_plan(const FloorPlan& plan, const PlanTracingParams& params, Progress& progress) {
+std::optional<std::vector<Segment2>> trace_plan(const FloorPlan& plan, const PlanTracingParams& params,
+                                                Progress& progress) {
+  if (corners_of(plan) > kCornersMax) return std::nullopt;
   std::vector<Outline> borders = cell_outlines(plan);
   std::vector<CutOutline> outlines;
   for (Outline& border : borders) {

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<Segment2> traced(const FloorPlan& plan, double tolerance_cells = 1) {
   SilentProgress silent;
-  return trace_plan(plan, {.tolerance_cells = tolerance_cells}, silent);
+  return trace_plan(plan, {.tolerance_cells = tolerance_cells}, silent).value();
 }
 
 void fill(FloorPlan& plan, int x0, int y0, int x1, int y1, std::uint8_t value) {
@@ -223,6 +223,15 @@ TEST(PlanCleaning, ACorridorThatIsCutOffByThePlansBorderStays) {
   clean_plan(plan, {.speck_m = 0.1});
   EXPECT_FALSE(plan.is_solid(0, 25));
   EXPECT_EQ(traced(plan).size(), 8);
+}
+
+TEST(PlanTracing, BordersThatNoWorldHoldsAreNotTraced) {
+  FloorPlan chequered(1100, 1000, 1);
+  for (int y = 0; y < chequered.height; ++y) {
+    for (int x = y % 2; x < chequered.width; x += 2) chequered.solid[chequered.index(x, y)] = 0;
+  }
+  SilentProgress silent;
+  EXPECT_FALSE(trace_plan(chequered, {}, silent).has_value());
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "aisle/commands/exploration/judged_exploration.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/evaluation/exploration/exploration_evaluation.hpp"
-#include "mission_count.hpp"
+#include "mission_runs.hpp"
 #include "trial_setting.hpp"
 
 namespace aisle {
@@ -54,6 +54,7 @@ Json spread_of(const Json& missions, const char* figure, bool least_is_worst) {
     sum += value;
     worst = least_is_worst ? std::min(worst, value) : std::max(worst, value);
   }
+  if (missions.empty()) return nullptr;
   return {{"mean", rounded(sum / static_cast<double>(missions.size()), 5)}, {"worst", rounded(worst, 5)}};
 }
 
@@ -62,7 +63,7 @@ Outcome outcome_of(const TrialOptions& options, const Json& missions) {
   const auto certified = std::count_if(missions.begin(), missions.end(), has_certificate);
   std::size_t collisions = 0;
   for (const Json& mission : missions) collisions += mission["collisions"].get<std::size_t>();
-  const auto count = static_cast<double>(missions.size());
+  const auto count = static_cast<double>(std::max<std::size_t>(missions.size(), 1));
   Outcome outcome{.verb = "trial", .ok = complete == static_cast<std::ptrdiff_t>(missions.size())};
   outcome.figures = {{"simulated", true},
                      {"method", options.method},
@@ -86,32 +87,38 @@ Outcome outcome_of(const TrialOptions& options, const Json& missions) {
   return outcome;
 }
 
-}  // namespace
-
-Result<Outcome> run_exploration_trial(const TrialOptions& options, Console& console) {
+/// One building explored. @return its record: the mission's figures
+Result<Json> explore_seed(const TrialOptions& options, std::uint64_t seed, Console& console) {
   ExploreOptions explore;
   explore.parameters = options.parameters;
   explore.sensor = options.sensor;
   explore.vehicle = options.vehicle;
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  MissionCount within(console.progress, "missions", seeds);
-  Console quiet{within, console.warn};
+  explore.seed = seed;
+  auto setting = exploration_setting(options, explore, seed);
+  if (!setting) return setting.problems();
+  Json mission = {{"world", setting->world.name}};
+  const auto plan = read_exploration_plan(explore, std::move(*setting));
+  if (!plan) return plan.problems();
+  const auto explored = explore_and_judge(explore, *plan, console);
+  if (!explored) return explored.problems();
+  mission.update(explored->outcome.figures);
+  return Json{{"ok", is_complete(mission)}, {"run", mission}};
+}
+
+}  // namespace
+
+Result<Outcome> run_exploration_trial(const TrialOptions& options, Console& console) {
+  const auto ran = run_missions(
+      options,
+      per_seed(options,
+               [&](std::uint64_t seed, Console& quiet) { return explore_seed(options, seed, quiet); }),
+      console);
+  if (!ran) return ran.problems();
   Json missions = Json::array();
-  for (std::uint64_t i = 0; i < seeds; ++i) {
-    within.begin(i);
-    explore.seed = options.first_seed + i;
-    auto setting = exploration_setting(options, explore, explore.seed);
-    if (!setting) return setting.problems();
-    const std::string world = setting->world.name;
-    const auto plan = read_exploration_plan(explore, std::move(*setting));
-    if (!plan) return plan.problems();
-    const auto explored = explore_and_judge(explore, *plan, quiet);
-    if (!explored) return explored.problems();
-    Json mission = {{"world", world}};
-    mission.update(explored->outcome.figures);
-    missions.push_back(std::move(mission));
-  }
-  return outcome_of(options, missions);
+  for (const Json& record : ran->records) missions.push_back(record.at("run"));
+  Outcome outcome = outcome_of(options, missions);
+  ran->report(options, outcome);
+  return outcome;
 }
 
 }  // namespace aisle

@@ -8,7 +8,7 @@
 #include "aisle/commands/method.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/missions/statistics.hpp"
-#include "mission_count.hpp"
+#include "mission_runs.hpp"
 #include "not_taught.hpp"
 #include "trial_setting.hpp"
 
@@ -26,26 +26,44 @@ Result<SimulationSetting> landmark_setting(const TrialOptions& options, std::uin
   return setting;
 }
 
+/// What the statistics need of a mission: exact, unlike its figures.
+Json counted_of(const JudgedLandmarkMission& judged, std::size_t landmarks) {
+  const LandmarkMissionResult& mission = judged.mission;
+  const MissionErrors& errors = *judged.errors;
+  return {{"arrived", mission.end.arrived},
+          {"collisions", mission.truth->collisions},
+          {"wrong_confident", errors.wrong_confident},
+          {"knew_place_at_end", errors.knew_place_at_end},
+          {"lost", mission.lost_count},
+          {"distance_m", mission.distance_m()},
+          {"across_m", errors.across_m.rms()},
+          {"along_m", errors.along_m.rms()},
+          {"heading_deg", to_degrees(errors.heading_rad.rms())},
+          {"tracking_m", errors.tracking_m.rms()},
+          {"tracking_worst_m", errors.tracking_m.worst()},
+          {"landmarks", landmarks},
+          {"cycle_s", mission.cycle_s}};
+}
+
 /// Statistics of all missions after a number of refinements.
 class LandmarkStatistics {
  public:
-  void add(const JudgedLandmarkMission& judged, std::size_t landmarks) {
-    const LandmarkMissionResult& mission = judged.mission;
-    const MissionErrors& errors = *judged.errors;
+  void add(const Json& counted) {
+    const auto count = [&](const char* what) { return counted.at(what).get<bool>() ? 1U : 0U; };
     ++missions_;
-    arrived_ += mission.end.arrived ? 1 : 0;
-    collisions_ += mission.truth->collisions;
-    wrong_confident_ += errors.wrong_confident ? 1 : 0;
-    knew_place_at_end_ += errors.knew_place_at_end ? 1 : 0;
-    lost_.add(static_cast<double>(mission.lost_count));
-    distance_m_.add(mission.distance_m());
-    across_m_.add(errors.across_m.rms());
-    along_m_.add(errors.along_m.rms());
-    heading_deg_.add(to_degrees(errors.heading_rad.rms()));
-    tracking_m_.add(errors.tracking_m.rms());
-    tracking_worst_m_.add(errors.tracking_m.worst());
-    landmarks_.add(static_cast<double>(landmarks));
-    cycle_s_.insert(cycle_s_.end(), mission.cycle_s.begin(), mission.cycle_s.end());
+    arrived_ += count("arrived");
+    collisions_ += counted.at("collisions").get<std::size_t>();
+    wrong_confident_ += count("wrong_confident");
+    knew_place_at_end_ += count("knew_place_at_end");
+    lost_.add(counted.at("lost"));
+    distance_m_.add(counted.at("distance_m"));
+    across_m_.add(counted.at("across_m"));
+    along_m_.add(counted.at("along_m"));
+    heading_deg_.add(counted.at("heading_deg"));
+    tracking_m_.add(counted.at("tracking_m"));
+    tracking_worst_m_.add(counted.at("tracking_worst_m"));
+    landmarks_.add(counted.at("landmarks"));
+    for (const Json& cycle_s : counted.at("cycle_s")) cycle_s_.push_back(cycle_s);
   }
 
   bool all_well() const { return arrived_ == missions_ && collisions_ == 0; }
@@ -86,30 +104,20 @@ Json mission_json(std::uint64_t seed, const SimulationSetting& setting, int refi
   return json;
 }
 
-struct LandmarkTrial {
-  std::vector<LandmarkStatistics> after;  ///< index: number of refinements
-  Json missions = Json::array();
-  NotTaught not_taught;
-};
-
-/// One seed: teach, learn, then drive and refine as often as requested.
-Problems run_landmark_seed(const TrialOptions& options, const LandmarkCourseParams& params,
-                           std::uint64_t seed, LandmarkTrial& trial, Progress& progress) {
+/// One seed: teach, learn, then drive and refine as often as requested. Its record holds each drive, or why
+/// the route was not taught.
+Result<Json> landmark_record(const TrialOptions& options, const LandmarkCourseParams& params,
+                             std::uint64_t seed, Progress& progress) {
   const auto setting = landmark_setting(options, seed);
   if (!setting) return setting.problems();
   const auto run = teach_run(*setting, params, seed, progress);
   if (!run) return run.problems();
-  if (!*run) {
-    trial.not_taught.add(seed, "the person did not get through");
-    return {};
-  }
+  if (!*run) return not_taught_record(seed, "the person did not get through");
   const auto learned = learn_route(**run, "route", params.learner);
-  if (!learned) {
-    trial.not_taught.add(seed, to_string(learned.problems()));
-    return {};
-  }
+  if (!learned) return not_taught_record(seed, to_string(learned.problems()));
   const MapTruth truth(learned->T_map_taught, (*run)->T_world_vehicle);
   Building building = learned->building;
+  Json record = {{"ok", true}, {"drives", Json::array()}};
   for (int refinement = 0; refinement <= options.refinements; ++refinement) {
     const std::uint64_t mission_seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement);
     SimulationSetting present = *setting;
@@ -117,18 +125,35 @@ Problems run_landmark_seed(const TrialOptions& options, const LandmarkCoursePara
       const auto lift =
           lift_on_route(present, building.routes.front().path, truth, *options.lift_m, mission_seed);
       if (!lift)
-        return {{{}, fmt::format("seed {}: the path is too short to kidnap the vehicle along it", seed)}};
+        return Problem{{},
+                       fmt::format("seed {}: the path is too short to kidnap the vehicle along it", seed)};
       present.scenario.events.push_back(*lift);
     }
     const auto result =
         drive_alone(present, params, building, truth, mission_seed, options.in_reverse, progress);
     if (!result) return result.problems();
-    trial.after[static_cast<std::size_t>(refinement)].add(*result, building.landmarks.size());
-    trial.missions.push_back(mission_json(seed, *setting, refinement, *result));
+    if (!result->mission.end.arrived || result->mission.truth->collisions > 0) record["ok"] = false;
+    record["drives"].push_back({{"run", mission_json(seed, *setting, refinement, *result)},
+                                {"counted", counted_of(*result, building.landmarks.size())}});
     refine_by(result->mission, setting->vehicle.description, params.learner.learning, building);
   }
-  return {};
+  return record;
 }
+
+struct LandmarkTrial {
+  std::vector<LandmarkStatistics> after;  ///< index: number of refinements
+  Json missions = Json::array();
+  NotTaught not_taught;
+
+  void add(const Json& record) {
+    if (not_taught.add(record)) return;
+    for (std::size_t i = 0; i < record.at("drives").size(); ++i) {
+      const Json& drive = record["drives"][i];
+      after.at(i).add(drive.at("counted"));
+      missions.push_back(drive.at("run"));
+    }
+  }
+};
 
 Outcome landmark_outcome(const TrialOptions& options, const LandmarkTrial& trial) {
   Outcome outcome{.verb = "trial"};
@@ -163,17 +188,19 @@ Outcome landmark_outcome(const TrialOptions& options, const LandmarkTrial& trial
 
 Result<Outcome> trial_by_landmarks(const TrialOptions& options, const LandmarkCourseParams& params,
                                    Console& console) {
+  const auto ran = run_missions(options,
+                                per_seed(options,
+                                         [&](std::uint64_t seed, Console& quiet) {
+                                           return landmark_record(options, params, seed, quiet.progress);
+                                         }),
+                                console);
+  if (!ran) return ran.problems();
   LandmarkTrial trial;
   trial.after.resize(static_cast<std::size_t>(options.refinements) + 1);
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  MissionCount within(console.progress, "missions", seeds);
-  for (std::uint64_t i = 0; i < seeds; ++i) {
-    within.begin(i);
-    if (Problems problems = run_landmark_seed(options, params, options.first_seed + i, trial, within);
-        !problems.empty())
-      return problems;
-  }
-  return landmark_outcome(options, trial);
+  for (const Json& record : ran->records) trial.add(record);
+  Outcome outcome = landmark_outcome(options, trial);
+  ran->report(options, outcome);
+  return outcome;
 }
 
 }  // namespace aisle

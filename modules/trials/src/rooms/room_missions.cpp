@@ -23,25 +23,49 @@ SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& ch
   return setting;
 }
 
-void RoomTrial::add(const JudgedRoomMission& judged, std::uint64_t seed, const std::string& route) {
+nlohmann::ordered_json room_record(const JudgedRoomMission& judged, std::uint64_t seed,
+                                   const std::string& route) {
   const RoomMissionResult& result = judged.mission;
   const RoomErrors& errors = *judged.errors;
-  ++missions;
   const bool is_at_place = errors.end_m < kFalseStop_m;
-  arrived += result.parked() && is_at_place ? 1U : 0U;
-  false_stops += result.end.arrived && !is_at_place ? 1U : 0U;
-  stopped += !result.end.arrived && result.is_unharmed() ? 1U : 0U;
-  collisions += result.truth->collisions;
-  if (result.end.arrived) {
-    end_m.add(errors.end_m);
-    end_deg.add(to_degrees(errors.end_rad));
-    clearance_m.add(errors.clearance_m);
-  }
-  cycle_s.insert(cycle_s.end(), result.cycle_s.begin(), result.cycle_s.end());
+  const bool has_arrived = result.parked() && is_at_place;
   nlohmann::ordered_json run = {{"seed", seed}, {"route", route}};
   run.update(figures_of(judged));
-  runs.push_back(std::move(run));
+  return {{"ok", has_arrived},
+          {"run", run},
+          {"counted",
+           {{"arrived", has_arrived},
+            {"ended", result.end.arrived},
+            {"false_stop", result.end.arrived && !is_at_place},
+            {"stopped", !result.end.arrived && result.is_unharmed()},
+            {"collisions", result.truth->collisions},
+            {"end_m", errors.end_m},
+            {"end_deg", to_degrees(errors.end_rad)},
+            {"clearance_m", errors.clearance_m},
+            {"cycle_s", result.cycle_s}}}};
 }
+
+void RoomTrial::add(const nlohmann::ordered_json& record) {
+  if (not_taught.add(record)) return;
+  const nlohmann::ordered_json& counted = record.at("counted");
+  const auto count = [&](const char* what) { return counted.at(what).get<bool>() ? 1U : 0U; };
+  ++missions;
+  arrived += count("arrived");
+  false_stops += count("false_stop");
+  stopped += count("stopped");
+  collisions += counted.at("collisions").get<std::size_t>();
+  if (counted.at("ended").get<bool>()) {
+    end_m.add(counted.at("end_m"));
+    end_deg.add(counted.at("end_deg"));
+    clearance_m.add(counted.at("clearance_m"));
+  }
+  for (const nlohmann::ordered_json& one_s : counted.at("cycle_s")) cycle_s.push_back(one_s);
+  runs.push_back(record.at("run"));
+  auto& [good, driven] = by_route[runs.back().at("route")];
+  good += count("arrived");
+  ++driven;
+}
+
 Result<JudgedRoomMission> drive_taught(SimulationSetting setting, const TaughtRoute& taught,
                                        const RoomNavigatorParams& params, std::uint64_t seed,
                                        const Pose2& T_world_start, double from_m, Progress& progress) {

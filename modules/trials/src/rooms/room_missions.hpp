@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "aisle/commands/simulation_setting.hpp"
@@ -24,6 +26,10 @@ namespace aisle {
 /// The same room on another day: with moved furniture and changed light.
 SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& change, Random& random);
 
+/// The record of a mission along a route.
+nlohmann::ordered_json room_record(const JudgedRoomMission& judged, std::uint64_t seed,
+                                   const std::string& route);
+
 /// Shares refer to the missions that were driven; without a taught run there is no mission.
 struct RoomTrial {
   std::size_t missions = 0, arrived = 0, stopped = 0, collisions = 0, false_stops = 0;
@@ -31,9 +37,11 @@ struct RoomTrial {
   std::vector<double> cycle_s;
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
   NotTaught not_taught;
+  /// Arrived and driven missions of each route.
+  std::map<std::string, std::pair<std::size_t, std::size_t>> by_route;
 
   bool all_well() const { return missions > 0 && arrived == missions; }
-  void add(const JudgedRoomMission& judged, std::uint64_t seed, const std::string& route);
+  void add(const nlohmann::ordered_json& record);
   double share(std::size_t count) const {
     return rounded(static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(missions, 1)), 4);
   }

@@ -11,7 +11,7 @@
 #include "aisle/guidance/rooms/room_cameras.hpp"
 #include "aisle/missions/rooms/room_driver.hpp"
 #include "aisle/missions/statistics.hpp"
-#include "mission_count.hpp"
+#include "mission_runs.hpp"
 #include "rooms/room_missions.hpp"
 #include "rooms/room_trial.hpp"
 
@@ -67,38 +67,51 @@ struct MissionBegin {
   double from_m = 0;  ///< initial estimate of the position along the route
 };
 
-/// One mission per seed, over the routes in turn.
+/// One seed: teaches its route if need be, and drives it. @return its record
 /// @param begin  (setting, taught route, seed) -> MissionBegin
 template <class Begin>
-Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialParams& params,
-                                 std::optional<ParkingStrategy> parking, Console& console,
-                                 const Begin& begin) {
+Result<Json> room_seed(const TrialOptions& options, const RoomTrialParams& params,
+                       std::optional<ParkingStrategy> parking, const Begin& begin,
+                       TaughtRoutes& taught_routes, std::uint64_t seed, Progress& progress) {
+  const auto setting = room_setting(options, params.look, seed);
+  if (!setting) return setting.problems();
+  const auto routes = routes_of(setting->world, parking);
+  if (routes.empty())
+    return Problem{{setting->world_file.string(), 0, "routes"},
+                   fmt::format("none ends with parking: {}", parking_word(*parking))};
+  const WorldRoute& route = *routes[seed % routes.size()];
+  const auto taught = taught_routes.taught(*setting, route, seed, progress);
+  if (!taught) return not_taught_record(seed, to_string(taught.problems()), route.name);
+  const MissionBegin mission = begin(*setting, **taught, seed);
+  const auto result = drive_taught(mission.setting, **taught, params.navigator, seed, mission.T_world_vehicle,
+                                   mission.from_m, progress);
+  if (!result) return result.problems();
+  return room_record(*result, seed, route.name);
+}
+
+/// The missions of a trial, and what came of them.
+struct RoomMissions {
+  TrialRecords ran;
   RoomTrial trial;
+};
+
+/// One mission per seed, over the routes in turn.
+template <class Begin>
+Result<RoomMissions> drive_missions(const TrialOptions& options, const RoomTrialParams& params,
+                                    std::optional<ParkingStrategy> parking, Console& console,
+                                    const Begin& begin) {
   TaughtRoutes taught_routes(params, options.first_seed);
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  MissionCount within(console.progress, "missions", seeds);
-  for (std::uint64_t i = 0; i < seeds; ++i) {
-    within.begin(i);
-    const std::uint64_t seed = options.first_seed + i;
-    const auto setting = room_setting(options, params.look, seed);
-    if (!setting) return setting.problems();
-    const auto routes = routes_of(setting->world, parking);
-    if (routes.empty())
-      return Problem{{setting->world_file.string(), 0, "routes"},
-                     fmt::format("none ends with parking: {}", parking_word(*parking))};
-    const WorldRoute& route = *routes[seed % routes.size()];
-    const auto taught = taught_routes.taught(*setting, route, seed, within);
-    if (!taught) {
-      trial.not_taught.add(seed, to_string(taught.problems()), route.name);
-      continue;
-    }
-    const MissionBegin mission = begin(*setting, **taught, seed);
-    const auto result = drive_taught(mission.setting, **taught, params.navigator, seed,
-                                     mission.T_world_vehicle, mission.from_m, within);
-    if (!result) return result.problems();
-    trial.add(*result, seed, route.name);
-  }
-  return trial;
+  auto ran = run_missions(options,
+                          per_seed(options,
+                                   [&](std::uint64_t seed, Console& quiet) {
+                                     return room_seed(options, params, parking, begin, taught_routes, seed,
+                                                      quiet.progress);
+                                   }),
+                          console);
+  if (!ran) return ran.problems();
+  RoomMissions missions{.ran = std::move(*ran), .trial = {}};
+  for (const Json& record : missions.ran.records) missions.trial.add(record);
+  return missions;
 }
 
 Json park_figures(const RoomTrial& trial) {
@@ -128,7 +141,7 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
                        return MissionBegin{std::move(today), T_world_start};
                      });
   if (!missions) return missions.problems();
-  const RoomTrial& trial = *missions;
+  const RoomTrial& trial = missions->trial;
   Outcome outcome{.verb = "trial", .ok = trial.all_well()};
   outcome.figures = {{"missions", trial.missions},
                      {"arrived_share", trial.share(trial.arrived)},
@@ -141,6 +154,7 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
       "{:.1f} % stopped safely, {} collisions\n",
       trial.missions, 100 * trial.share(trial.arrived), 100 * trial.share(trial.stopped), trial.collisions);
   outcome.text += trial.not_taught.text();
+  missions->ran.report(options, outcome);
   return outcome;
 }
 
@@ -161,7 +175,7 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
                        return MissionBegin{std::move(today), T_world_start, from_m};
                      });
   if (!missions) return missions.problems();
-  const RoomTrial& trial = *missions;
+  const RoomTrial& trial = missions->trial;
   Outcome outcome{.verb = "trial", .ok = trial.all_well()};
   outcome.figures = park_figures(trial);
   outcome.figures["strategy"] = parking_word(options.strategy);
@@ -172,6 +186,7 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
       parking_word(options.strategy), trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
       100 * trial.end_m.mean(), trial.end_deg.mean(), 100 * trial.end_m.worst(), trial.end_deg.worst());
   outcome.text += trial.not_taught.text();
+  missions->ran.report(options, outcome);
   return outcome;
 }
 

@@ -33,8 +33,10 @@ class RoomRunRecord final : public MissionRecord {
   const TruthSource& truth_;
 };
 
-Result<TaughtRoute> teach_route(const SimulationSetting& setting, const WorldRoute& world_route,
-                                const RoomTrialParams& params, std::uint64_t seed, Progress& progress) {
+Result<std::shared_ptr<const TaughtRoute>> teach_route(const SimulationSetting& setting,
+                                                       const WorldRoute& world_route,
+                                                       const RoomTrialParams& params, std::uint64_t seed,
+                                                       Progress& progress) {
   SimulationSetting taught = setting;
   keep_cameras(taught.vehicle.description, {kFirstCamera});
   const bool shows_pattern = params.view_pattern && world_route.parking == ParkingStrategy::kView;
@@ -53,26 +55,21 @@ Result<TaughtRoute> teach_route(const SimulationSetting& setting, const WorldRou
   if (!learned) return learned.problems();
   Route route = std::move(learned->building.routes.front());
   RouteInWorld place(MapTruth(std::move(learned->T_route_vehicle), std::move(record.T_world_vehicle)), route);
-  return TaughtRoute{std::move(route), std::move(place)};
+  return std::make_shared<const TaughtRoute>(TaughtRoute{std::move(route), std::move(place)});
 }
 
 }  // namespace
 
-Result<const TaughtRoute*> TaughtRoutes::taught(const SimulationSetting& setting,
-                                                const WorldRoute& world_route, std::uint64_t seed,
-                                                Progress& progress) {
+Result<std::shared_ptr<const TaughtRoute>> TaughtRoutes::taught(const SimulationSetting& setting,
+                                                                const WorldRoute& world_route,
+                                                                std::uint64_t seed, Progress& progress) {
   const std::string key = setting.world_file.string() + "/" + setting.world.name + "/" + world_route.name;
-  auto known = taught_.find(key);
-  if (known == taught_.end()) {
-    auto route =
-        teach_route(setting, world_route, params_, refused_.contains(key) ? seed : first_seed_, progress);
-    if (!route) {
-      refused_.insert(key);
-      return route.problems();
-    }
-    known = taught_.emplace(key, std::move(*route)).first;
-  }
-  return &known->second;
+  auto known = by_first_seed_.find(key);
+  if (known == by_first_seed_.end())
+    known =
+        by_first_seed_.emplace(key, teach_route(setting, world_route, params_, first_seed_, progress)).first;
+  if (known->second || seed == first_seed_) return known->second;
+  return teach_route(setting, world_route, params_, seed, progress);
 }
 
 }  // namespace aisle

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
+#include <memory>
 #include <string>
 
 #include "aisle/commands/simulation_setting.hpp"
@@ -26,18 +26,19 @@ class TaughtRoutes {
   TaughtRoutes(const RoomTrialParams& params, std::uint64_t first_seed)
       : params_(params), first_seed_(first_seed) {}
 
-  /// The learned route; teaches and learns it first if that has not been done. If the first taught run was
-  /// refused, the next one uses `seed`.
+  /// The learned route; teaches and learns it first if that has not been done. Where the taught run of the
+  /// first seed was refused, each mission's own seed teaches once more, for that mission: so no mission
+  /// depends on the others.
   /// @param setting  the world as it is during teaching; worlds are distinguished by file and name
   /// Problems: why the taught run was refused.
-  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const WorldRoute& world_route,
-                                    std::uint64_t seed, Progress& progress);
+  Result<std::shared_ptr<const TaughtRoute>> taught(const SimulationSetting& setting,
+                                                    const WorldRoute& world_route, std::uint64_t seed,
+                                                    Progress& progress);
 
  private:
   RoomTrialParams params_;
   std::uint64_t first_seed_;
-  std::map<std::string, TaughtRoute> taught_;
-  std::set<std::string> refused_;
+  std::map<std::string, Result<std::shared_ptr<const TaughtRoute>>> by_first_seed_;
 };
 
 }  // namespace aisle

@@ -9,7 +9,7 @@
 #include "aisle/guidance/rooms/room_cameras.hpp"
 #include "aisle/missions/rooms/room_driver.hpp"
 #include "aisle/simulation/buildings/turning_course.hpp"
-#include "mission_count.hpp"
+#include "mission_runs.hpp"
 #include "rooms/room_missions.hpp"
 #include "rooms/room_trial.hpp"
 
@@ -21,7 +21,9 @@ std::vector<std::pair<std::string, World>> turning_courses(const TrialOptions& o
   std::vector<std::pair<std::string, World>> courses;
   const auto add = [&](const std::string& name, const auto& make) {
     Random random(options.first_seed);
-    courses.emplace_back(name, make(random));
+    World world = make(random);
+    world.name = "turning " + name;
+    courses.emplace_back(name, std::move(world));
   };
   if (options.close) {
     add("6 then 5", [](Random& random) { return close_turnings_course(6, 5, random); });
@@ -33,49 +35,65 @@ std::vector<std::pair<std::string, World>> turning_courses(const TrialOptions& o
   return courses;
 }
 
+/// One seed on a course: teaches the course if need be, and drives it. @return its record
+Result<nlohmann::ordered_json> drive_turning(const SimulationSetting& setting, const RoomTrialParams& params,
+                                             TaughtRoutes& taught_routes, std::uint64_t seed,
+                                             Progress& progress) {
+  const auto taught = taught_routes.taught(setting, setting.world.routes.front(), seed, progress);
+  if (!taught) return not_taught_record(seed, to_string(taught.problems()), setting.world.name);
+  Random random(seed);
+  const SimulationSetting today =
+      on_another_day(setting, {.furniture_m = 0, .light_share = params.change.light_share}, random);
+  const auto result = drive_taught(today, **taught, params.navigator, seed,
+                                   set_down_on_route(today, (*taught)->place.at(0), seed), 0, progress);
+  if (!result) return result.problems();
+  return room_record(*result, seed, setting.world.name);
+}
+
+/// Share of the missions on each course that succeeded; courses without a mission are left out.
+nlohmann::ordered_json success_shares(const RoomTrial& trial,
+                                      const std::vector<std::pair<std::string, World>>& courses) {
+  nlohmann::ordered_json shares = nlohmann::ordered_json::object();
+  for (const auto& [name, world] : courses) {
+    const auto good = trial.by_route.find(world.name);
+    if (good == trial.by_route.end()) continue;
+    const auto [arrived, missions] = good->second;
+    shares[name] = rounded(static_cast<double>(arrived) / static_cast<double>(missions), 4);
+  }
+  return shares;
+}
+
 }  // namespace
 
 /// Every seed changes the light in the room.
 Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
                                   Console& console) {
-  auto vehicle = read_setting("", kRoomMethod.vehicle_or_usual(options.vehicle), options.scenario);
+  const auto vehicle = read_setting("", kRoomMethod.vehicle_or_usual(options.vehicle), options.scenario);
   if (!vehicle) return vehicle.problems();
   if (Problems problems = unfit_for_rooms(vehicle->vehicle.description, {kFirstCamera, kThirdCamera});
       !problems.empty())
     return problems;
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
   const auto courses = turning_courses(options);
-  RoomTrial trial;
-  nlohmann::ordered_json shares = nlohmann::ordered_json::object();
-  MissionCount within(console.progress, "missions", courses.size() * seeds);
   TaughtRoutes taught_routes(params, options.first_seed);
-  for (const auto& [name, world] : courses) {
-    SimulationSetting setting = *vehicle;
-    setting.world = world;
-    setting.world.name = "turning " + name;
-    const std::size_t missions_before = trial.missions, arrived_before = trial.arrived;
-    for (std::uint64_t i = 0; i < seeds; ++i) {
-      within.begin(trial.missions + trial.not_taught.size());
-      const std::uint64_t seed = options.first_seed + i;
-      const auto taught = taught_routes.taught(setting, world.routes.front(), seed, within);
-      if (!taught) {
-        trial.not_taught.add(seed, to_string(taught.problems()), setting.world.name);
-        continue;
-      }
-      Random random(seed);
-      const SimulationSetting today =
-          on_another_day(setting, {.furniture_m = 0, .light_share = params.change.light_share}, random);
-      const auto result = drive_taught(today, **taught, params.navigator, seed,
-                                       set_down_on_route(today, (*taught)->place.at(0), seed), 0, within);
-      if (!result) return result.problems();
-      trial.add(*result, seed, setting.world.name);
-    }
-    const std::size_t driven = trial.missions - missions_before, good = trial.arrived - arrived_before;
-    if (driven > 0) shares[name] = rounded(static_cast<double>(good) / static_cast<double>(driven), 4);
-  }
+  const auto seed_of = [&](std::size_t mission) { return options.first_seed + mission % options.seeds(); };
+  const auto course_of = [&](std::size_t mission) -> const World& {
+    return courses[mission / options.seeds()].second;
+  };
+  const TrialMissions missions{
+      .count = courses.size() * options.seeds(),
+      .name = [&](std::size_t i) { return fmt::format("{}, seed {}", course_of(i).name, seed_of(i)); },
+      .run = [&](std::size_t i, Console& quiet) -> Result<nlohmann::ordered_json> {
+        SimulationSetting setting = *vehicle;
+        setting.world = course_of(i);
+        return drive_turning(setting, params, taught_routes, seed_of(i), quiet.progress);
+      }};
+  const auto ran = run_missions(options, missions, console);
+  if (!ran) return ran.problems();
+  RoomTrial trial;
+  for (const auto& record : ran->records) trial.add(record);
   Outcome outcome{.verb = "trial", .ok = trial.all_well()};
   outcome.figures = {{"missions", trial.missions},
-                     {"success_share", shares},
+                     {"success_share", success_shares(trial, courses)},
                      {"success_share_all", trial.share(trial.arrived)},
                      {"collisions", trial.collisions},
                      {"safe_stop_share", trial.share(trial.stopped)},
@@ -87,6 +105,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
                              options.close ? "two close turnings" : "thirteen turnings", trial.missions,
                              100 * trial.share(trial.arrived), trial.collisions);
   outcome.text += trial.not_taught.text();
+  ran->report(options, outcome);
   return outcome;
 }
 

@@ -13,7 +13,7 @@
 #include "aisle/missions/sections/section_driver.hpp"
 #include "aisle/missions/statistics.hpp"
 #include "landmarks/landmark_course.hpp"
-#include "mission_count.hpp"
+#include "mission_runs.hpp"
 #include "not_taught.hpp"
 #include "sections/section_course.hpp"
 #include "sections/section_trial.hpp"
@@ -99,6 +99,46 @@ Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint
   return setting;
 }
 
+/// What the statistics need of a mission: exact, unlike its figures.
+Json counted_of(const JudgedSectionMission& judged, const std::string& due, const std::string& learned) {
+  const SectionMissionResult& mission = judged.mission;
+  const SectionErrors& errors = *judged.errors;
+  Json counted = {{"arrived", mission.end.arrived},
+                  {"collisions", mission.truth->collisions},
+                  {"letters", std::max(due.size(), learned.size())},
+                  {"letters_wrong", edit_distance(due, learned)},
+                  {"closing_m", errors.closing_m},
+                  {"closing_deg", to_degrees(errors.closing_rad)},
+                  {"cycle_s", mission.cycle_s}};
+  if (errors.wall_distance_m.count() > 0) counted["wall_m"] = errors.wall_distance_m.rms();
+  return counted;
+}
+
+/// One seed: teach, learn, drive there and back. Its record holds the drive, or why the route was not taught.
+Result<Json> section_record(const TrialOptions& options, const SectionTrialParams& params, std::uint64_t seed,
+                            Progress& progress) {
+  const auto setting = section_setting(options, seed);
+  if (!setting) return setting.problems();
+  const auto course = teach_sections(*setting, params.learner, seed, options.teachings, progress);
+  if (!course) return not_taught_record(seed, to_string(course.problems()));
+  const SectionList& sections = course->learned.building.routes.front().sections;
+  const std::string due = due_letters(setting->world.tour, params.learner.learning);
+  const std::string learned = letters_of(sections);
+  const auto result =
+      drive_there_and_back(*setting, params.navigator, *course, 1000 * (seed + 1), false, progress);
+  if (!result) return result.problems();
+  const SectionMissionResult& mission = result->mission;
+  Json run = {{"seed", seed},
+              {"world", setting->world.name.empty() ? setting->world_file.string() : setting->world.name},
+              {"sections", learned},
+              {"sections_due", due}};
+  for (const Section& section : sections) run["list"].push_back(section_text(section));
+  run.update(figures_of(*result));
+  return Json{{"ok", mission.end.arrived && mission.truth->collisions == 0},
+              {"run", run},
+              {"counted", counted_of(*result, due, learned)}};
+}
+
 struct SectionTrial {
   std::size_t missions = 0, arrived = 0, collisions = 0;
   std::size_t letters = 0, letters_wrong = 0;
@@ -110,46 +150,25 @@ struct SectionTrial {
   double accuracy() const {
     return letters == 0 ? 0 : 1 - static_cast<double>(letters_wrong) / static_cast<double>(letters);
   }
-};
 
-/// One seed: teach, learn, drive there and back.
-Problems run_section_seed(const TrialOptions& options, const SectionTrialParams& params, std::uint64_t seed,
-                          SectionTrial& trial, Progress& progress) {
-  const auto setting = section_setting(options, seed);
-  if (!setting) return setting.problems();
-  const auto course = teach_sections(*setting, params.learner, seed, options.teachings, progress);
-  if (!course) {
-    trial.not_taught.add(seed, to_string(course.problems()));
-    return {};
+  void add(const Json& record) {
+    if (not_taught.add(record)) return;
+    const Json& counted = record.at("counted");
+    const bool has_arrived = counted.at("arrived");
+    ++missions;
+    arrived += has_arrived ? 1U : 0U;
+    collisions += counted.at("collisions").get<std::size_t>();
+    letters += counted.at("letters").get<std::size_t>();
+    letters_wrong += counted.at("letters_wrong").get<std::size_t>();
+    if (has_arrived) {
+      closing_m.add(counted.at("closing_m"));
+      closing_deg.add(counted.at("closing_deg"));
+    }
+    if (counted.contains("wall_m")) wall_m.add(counted["wall_m"]);
+    for (const Json& one_s : counted.at("cycle_s")) cycle_s.push_back(one_s);
+    runs.push_back(record.at("run"));
   }
-  const SectionList& sections = course->learned.building.routes.front().sections;
-  const std::string due = due_letters(setting->world.tour, params.learner.learning);
-  const std::string learned = letters_of(sections);
-  trial.letters += std::max(due.size(), learned.size());
-  trial.letters_wrong += edit_distance(due, learned);
-  const auto result =
-      drive_there_and_back(*setting, params.navigator, *course, 1000 * (seed + 1), false, progress);
-  if (!result) return result.problems();
-  const SectionMissionResult& mission = result->mission;
-  const SectionErrors& errors = *result->errors;
-  ++trial.missions;
-  trial.arrived += mission.end.arrived ? 1U : 0U;
-  trial.collisions += mission.truth->collisions;
-  if (mission.end.arrived) {
-    trial.closing_m.add(errors.closing_m);
-    trial.closing_deg.add(to_degrees(errors.closing_rad));
-  }
-  if (errors.wall_distance_m.count() > 0) trial.wall_m.add(errors.wall_distance_m.rms());
-  trial.cycle_s.insert(trial.cycle_s.end(), mission.cycle_s.begin(), mission.cycle_s.end());
-  Json run = {{"seed", seed},
-              {"world", setting->world.name.empty() ? setting->world_file.string() : setting->world.name},
-              {"sections", learned},
-              {"sections_due", due}};
-  for (const Section& section : sections) run["list"].push_back(section_text(section));
-  run.update(figures_of(*result));
-  trial.runs.push_back(std::move(run));
-  return {};
-}
+};
 
 Outcome section_outcome(const SectionTrial& trial) {
   Outcome outcome{.verb = "trial",
@@ -183,16 +202,18 @@ Outcome section_outcome(const SectionTrial& trial) {
 
 Result<Outcome> trial_by_sections(const TrialOptions& options, const SectionTrialParams& params,
                                   Console& console) {
+  const auto ran = run_missions(options,
+                                per_seed(options,
+                                         [&](std::uint64_t seed, Console& quiet) {
+                                           return section_record(options, params, seed, quiet.progress);
+                                         }),
+                                console);
+  if (!ran) return ran.problems();
   SectionTrial trial;
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  MissionCount within(console.progress, "missions", seeds);
-  for (std::uint64_t i = 0; i < seeds; ++i) {
-    within.begin(i);
-    if (Problems problems = run_section_seed(options, params, options.first_seed + i, trial, within);
-        !problems.empty())
-      return problems;
-  }
-  return section_outcome(trial);
+  for (const Json& record : ran->records) trial.add(record);
+  Outcome outcome = section_outcome(trial);
+  ran->report(options, outcome);
+  return outcome;
 }
 
 }  // namespace aisle

@@ -63,6 +63,11 @@ void take_out_dark(const Image& image, RouteSight& sight) {
   }
 }
 
+/// The pixel that sees the nearest floor straight ahead.
+Vec2 lowest_middle(int width_px, int height_px) {
+  return {(width_px - 1) / 2.0, height_px - 1};
+}
+
 }  // namespace
 
 void RouteViewParams::describe(FieldList& fields) {
@@ -78,6 +83,12 @@ void RouteViewParams::describe(FieldList& fields) {
   fields.real("edge_range_m", edge_range_m, {0.5, 20}, "farther edges of the route are not remembered");
 }
 
+bool RouteView::sees_floor(const CameraIntrinsics& intrinsics, const CameraMount& mount, int width_px,
+                           int height_px) {
+  const BackProjection floor(CameraModel(intrinsics), mount, 0);
+  return floor.point(lowest_middle(width_px, height_px)).has_value();
+}
+
 RouteView::RouteView(const RouteViewParams& params, const CameraIntrinsics& intrinsics,
                      const CameraMount& mount, int width_px, int height_px, double width_m,
                      std::optional<double> stripe_height_m)
@@ -88,7 +99,7 @@ RouteView::RouteView(const RouteViewParams& params, const CameraIntrinsics& intr
       floor_(camera_, mount, 0),
       width_px_(width_px),
       height_px_(height_px) {
-  const auto nearest = floor_.point(Vec2((width_px - 1) / 2.0, height_px - 1));
+  const auto nearest = floor_.point(lowest_middle(width_px, height_px));
   if (!nearest) throw std::invalid_argument("a camera for routes must look down at the floor");
   nearest_m_ = nearest->x();
   const int patch_px = height_px / kPatchesInHeight;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "seen_floor.hpp"
@@ -29,6 +30,14 @@ Image path(double right_m, double left_m, const Segment2& thing = {{20, 20}, {20
         p.x() > thing.start.x() && p.x() < thing.end.x() && p.y() > thing.start.y() && p.y() < thing.end.y();
     return is_route && !is_thing ? 165.0 : 60.0;
   });
+}
+
+TEST(RouteView, NeedsACameraThatSeesTheFloor) {
+  const CameraMount ahead{.p_vehicle_camera = {0.8, 0, 1.25}, .tilt_rad = -30 * kDegree};
+  EXPECT_TRUE(RouteView::sees_floor(kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px));
+  EXPECT_FALSE(RouteView::sees_floor(kFloorLens, ahead, kFloorWidth_px, kFloorHeight_px));
+  EXPECT_THROW(RouteView({}, kFloorLens, ahead, kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m),
+               std::invalid_argument);
 }
 
 TEST(RouteView, TheMiddleLiesBetweenTheSides) {

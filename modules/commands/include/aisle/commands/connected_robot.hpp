@@ -6,6 +6,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/connection/connected_vehicle.hpp"
+#include "aisle/connection/robot_diagnostics.hpp"
 #include "aisle/connection/robot_viewer.hpp"
 #include "aisle/core/clock.hpp"
 #include "aisle/wire/wire.hpp"
@@ -17,6 +18,7 @@ struct ConnectedRobot {
   SteadyClock clock;
   Connection connection;
   std::unique_ptr<Wire> wire;
+  std::unique_ptr<RobotDiagnostics> diagnostics;
   std::unique_ptr<ConnectedVehicle> vehicle;
   std::unique_ptr<RobotViewer> viewer;  ///< last: each uses what stands before it
 };

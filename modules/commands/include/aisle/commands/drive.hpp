@@ -9,6 +9,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 #include "aisle/guidance/hand_driver.hpp"
 #include "aisle/guidance/key_controls.hpp"
 #include "aisle/simulation/operators/operator.hpp"
@@ -42,8 +43,15 @@ struct DriveOptions {
   bool only_listens = false;         ///< a robot: another program drives it, and nothing is sent
   std::filesystem::path out;         ///< directory of the session; empty: not recorded
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;
   bool takes_images = true;
   ParameterSources parameters;
+
+  /// What keeps a robot from what is driven for, asked when it has said all of itself; null: nothing does.
+  std::function<Problems(const VehicleDescription&)> unfit;
+
+  /// The file that says what the vehicle is.
+  std::string vehicle_file() const { return connection.empty() ? vehicle : connection.string(); }
 
   /// Makes the operator at the keys; null: a scripted person follows the world's tour, and a robot has nobody
   /// at the keys.

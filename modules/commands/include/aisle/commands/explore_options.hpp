@@ -7,6 +7,7 @@
 
 #include "aisle/commands/parameter_sources.hpp"
 #include "aisle/exploration/building_explorer.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/missions/exploration/exploring_sensor.hpp"
 
@@ -28,6 +29,7 @@ struct ExploreOptions {
   std::filesystem::path session;  ///< directory of the session; empty: not recorded
   std::filesystem::path resumed;  ///< session of an interrupted run to continue; empty: none
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;  ///< of the session
   ParameterSources parameters;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "aisle/commands/parameter_sources.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 
 namespace aisle {
 
@@ -23,6 +24,7 @@ struct NavigateOptions {
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< directory of the session; empty: not recorded
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;
   ParameterSources parameters;
 };
 

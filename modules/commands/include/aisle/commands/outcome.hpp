@@ -18,12 +18,13 @@ struct Outcome {
   nlohmann::ordered_json figures = nlohmann::ordered_json::object();
   std::map<std::string, std::string> files;  ///< written files: role -> path
   std::string text;                          ///< for people
+  Problems problems = {};                    ///< why it was refused; empty: it was not
 };
 
-/// [{"where": ..., "what": ...}]: how every verb reports warnings in its figures.
+/// [{"where": ..., "what": ...}]: how every verb reports warnings and problems.
 nlohmann::ordered_json warnings_json(const Problems& warnings);
 
-/// {"verb": ..., "ok": ..., "figures": {...}, "files": {...}} on one line.
+/// {"verb": ..., "ok": ..., "figures": {...}, "files": {...}} on one line; "problems" if there are any.
 std::string to_json(const Outcome& outcome);
 
 /// What a verb may use of its environment.

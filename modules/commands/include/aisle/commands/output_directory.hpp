@@ -28,7 +28,8 @@ class OutputDirectory {
   OutputDirectory(OutputDirectory&&) noexcept = default;
   ~OutputDirectory();
 
-  /// Creates the directory. `names` are the files that the verb is going to write.
+  /// Creates the directory, and removes what a run left there that was killed while it wrote. `names` are the
+  /// files that the verb is going to write.
   static Result<OutputDirectory> open(const std::filesystem::path& directory, bool force,
                                       const std::vector<std::string>& names);
 
@@ -46,6 +47,9 @@ class OutputDirectory {
  private:
   OutputDirectory(std::filesystem::path directory, std::vector<std::filesystem::path> made)
       : made_(std::move(made)), directory_(std::move(directory)) {}
+
+  /// Where files are written before they are put in place.
+  std::filesystem::path unfinished() const { return directory_ / ".unfinished"; }
 
   std::vector<std::filesystem::path> made_;  ///< innermost first
   std::filesystem::path directory_;

@@ -7,6 +7,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 #include "aisle/maps/room_route.hpp"
 
 namespace aisle {
@@ -24,6 +25,7 @@ struct ParkOptions {
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< directory of the session; empty: not recorded
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;
   ParameterSources parameters;
 };
 

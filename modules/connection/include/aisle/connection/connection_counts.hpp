@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 namespace aisle {
 
@@ -18,6 +19,10 @@ struct ConnectionCounts {
   std::size_t commands_aged = 0;   ///< replaced by: stop
   std::size_t holds = 0;           ///< how often the vehicle was held
   double held_s = 0;               ///< how long
+  // Since the latest one arrived; none: there is no such sensor.
+  std::optional<double> scan_age_s;
+  std::optional<double> image_age_s;  ///< of the camera that is longest silent
+  double odometry_age_s = 0;
 };
 
 }  // namespace aisle

@@ -15,6 +15,9 @@ class Progress {
 
   /// `done` of `total` steps of `task` are finished. May throw Interrupted.
   virtual void report(std::string_view task, std::size_t done, std::size_t total) = 0;
+
+  /// Whether the user wants a mission to end where it is, and to keep what it has. Only missions ask.
+  virtual bool shall_end() const { return false; }
 };
 
 /// Shows nothing and never interrupts.

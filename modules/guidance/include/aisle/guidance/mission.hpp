@@ -33,9 +33,12 @@ struct MissionEnd {
   double duration_s = 0;  ///< by the observations' stamps
 };
 
-/// Drives until the navigator is done or has failed, or the vehicle delivers no more observations. Always
-/// ends with a stop command. A record that fails ends the mission, and its problems are returned.
-/// `Interrupted` (from `progress`) is rethrown after the stop.
+/// `MissionEnd::why` of a mission that the user has ended.
+inline constexpr const char* kEndedByUser = "ended by the operator";
+
+/// Drives until the navigator is done or has failed, the vehicle delivers no more observations, or the user
+/// ends it (`Progress::shall_end`). Always ends with a stop command. A record that fails ends the mission,
+/// and its problems are returned. `Interrupted` (from `progress`) is rethrown after the stop.
 Result<MissionEnd> run_mission(Vehicle& vehicle, Navigator& navigator, MissionRecord& record,
                                Progress& progress);
 

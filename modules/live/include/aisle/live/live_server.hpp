@@ -21,7 +21,8 @@ struct LiveServerOptions {
   std::string address = "127.0.0.1";
   std::uint16_t port = 8765;  ///< 0: any free port
   std::string token;          ///< that clients must present; required unless `address` is this machine's own
-  TlsFiles tls;               ///< if given, only https and wss are accepted
+  std::vector<std::string> origins;  ///< other sites whose pages may connect
+  TlsFiles tls;                      ///< if given, only https and wss are accepted
   std::string name = "aisle";
   std::string version;
   LiveFolders folders;

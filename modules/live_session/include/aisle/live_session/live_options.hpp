@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "aisle/live/tls_files.hpp"
 
@@ -14,11 +15,12 @@ struct LiveListening {
   std::uint16_t port = 8765;  ///< 0: any free port
   std::filesystem::path token_file;
   TlsFiles tls;
-  std::filesystem::path web;        ///< folder of the page's files; empty: the shipped page
-  std::filesystem::path sessions;   ///< folder; empty: sessions cannot be listed, recorded or replayed
-  std::filesystem::path buildings;  ///< folder; empty: buildings cannot be listed, learned or driven in
-  std::string version;              ///< of the program
-  double rate = 1;                  ///< simulated seconds per second; 0: as fast as possible
+  std::vector<std::string> origins;  ///< other sites whose pages may connect
+  std::filesystem::path web;         ///< folder of the page's files; empty: the shipped page
+  std::filesystem::path sessions;    ///< folder; empty: sessions cannot be listed, recorded or replayed
+  std::filesystem::path buildings;   ///< folder; empty: buildings cannot be listed, learned or driven in
+  std::string version;               ///< of the program
+  double rate = 1;                   ///< simulated seconds per second; 0: as fast as possible
 };
 
 struct LiveOptions {

@@ -65,8 +65,9 @@ class MissionRecorder : public MissionRecord {
 /// null; nullopt if neither. The session says whether the vehicle is simulated.
 /// @param truth  of the vehicle; null: unknown
 Result<std::optional<SessionRecord>> open_session(const std::filesystem::path& out, bool force,
-                                                  const Vehicle& vehicle, const TruthSource* truth,
-                                                  SessionOrigin origin, MessageSink* watcher);
+                                                  SessionStorage storage, const Vehicle& vehicle,
+                                                  const TruthSource* truth, SessionOrigin origin,
+                                                  MessageSink* watcher);
 
 /// The session that shows a replay to `watcher`; nullopt if that is null.
 Result<std::optional<SessionRecord>> show_session(const VehicleDescription& vehicle,

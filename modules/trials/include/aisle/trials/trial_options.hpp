@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 namespace aisle {
 
 struct TrialOptions {
+  std::uint64_t seeds() const { return last_seed - first_seed + 1; }
+
   std::string method = "landmarks";
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
@@ -30,7 +33,13 @@ struct TrialOptions {
   std::optional<double> lift_m;  ///< kidnap: the vehicle is put so far ahead or back on its path (landmarks)
   std::optional<BuildingKind> kind;  ///< of random buildings; none: all kinds in turn
   double noise_scale = 1;            ///< factor on the odometry's errors (explore)
+  bool outdated_map = false;         ///< localise: in a map with 5 % of walls missing and furniture moved
   ParameterSources parameters;
+  int jobs = 0;  ///< missions at a time; 0: as many as the machine has cores
+  std::filesystem::path
+      out;             ///< directory that keeps the missions, and from which a trial goes on; empty: none
+  bool force = false;  ///< replace what `out` holds
+  std::vector<std::string> words;  ///< the trial as given on the command line, without seeds, jobs and out
 };
 
 }  // namespace aisle

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "aisle/commands/outcome.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 
 namespace aisle {
 
@@ -13,6 +14,7 @@ struct SessionCutOptions {
   std::optional<double> to_s;  ///< absent: to the end
   std::filesystem::path out;   ///< the new session's directory
   bool force = false;
+  SessionStorage storage = SessionStorage::kSqlite;
 };
 
 /// `aisle cut SESSION`: copies a part of a session into a new session, with the latched messages that were

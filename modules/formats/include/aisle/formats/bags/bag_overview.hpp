@@ -25,6 +25,9 @@ struct BagOverview {
   Problems warnings;
 };
 
+/// BagOverview::Topic::serves of a topic.
+std::string served_by(const BagTopic& topic);
+
 /// Reads the whole bag.
 Result<BagOverview> bag_overview(const std::filesystem::path& path);
 

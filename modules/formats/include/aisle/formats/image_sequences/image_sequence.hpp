@@ -6,6 +6,7 @@
 #include <string>
 
 #include "aisle/core/result.hpp"
+#include "aisle/formats/logs/laser_recording.hpp"
 #include "aisle/geometry/back_projection.hpp"
 #include "aisle/geometry/camera_model.hpp"
 #include "aisle/geometry/pose2.hpp"
@@ -44,6 +45,8 @@ class ImageSequence {
   virtual int height_px() const = 0;
   virtual bool has_odometry() const = 0;
   virtual RecordedCamera camera() const { return {}; }
+  /// The scans that the same vehicle recorded, on the same clock; they are moved out.
+  virtual std::optional<LaserRecording> take_scans() { return std::nullopt; }
   /// Median time from one image to the next; 0: there is only one.
   virtual double period_s() const = 0;
   /// How many images the recording names; next() leaves out those that cannot be used.
@@ -63,7 +66,7 @@ struct ImageSequenceOptions {
   std::optional<double> rate_hz;              ///< > 0: images have this rate, whatever stamps they have
   std::optional<FrontSteered> front_steered;  ///< tells what distances and steering angles mean
   std::string topic = {};                     ///< of a bag's images; empty: the only one that has any
-  std::string odometry = {};                  ///< of a bag: a topic, "tf" or "none"; empty: chosen
+  RecordingOptions reading = {};              ///< of a bag's scans and odometry
 };
 
 /// Opens a recording: a Donkeycar tub, a folder of images, a list of images, a ROS bag. What it is shows in

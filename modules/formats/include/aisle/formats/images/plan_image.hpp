@@ -1,9 +1,11 @@
 #pragma once
 /// Floor plans as images in which dark pixels are walls; see docs/formats/plan.md.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "aisle/core/image.hpp"
 #include "aisle/core/result.hpp"
@@ -19,6 +21,8 @@ inline constexpr double kSolidFromBlack =
 struct PlanReading {
   FloorPlan plan;
   Problems warnings;
+  std::vector<std::uint8_t> unseen = {};  ///< per cell of the plan: solid only because nobody has seen it;
+                                          ///< empty: every solid cell is a wall
 };
 
 /// The plan that a grey image shows, row 0 at the top. Transparent pixels are solid: nobody has seen them.
@@ -26,7 +30,8 @@ struct PlanReading {
 /// @param solid_from_black  the share of black from which a pixel is solid: 0 white, 1 black
 FloorPlan floor_plan(const TransparentImage& grey, double cell_m, double solid_from_black = kSolidFromBlack);
 
-/// Reads PBM, PGM or any format of read_image(), recognised by the first bytes. At most 8192 columns or rows.
+/// Reads PBM, PGM or any format of read_image(), recognised by the first bytes. At most 8192 columns or rows
+/// and 33 million pixels.
 /// @param cell_m  side of a pixel
 Result<PlanReading> read_plan_image(const std::filesystem::path& path, double cell_m,
                                     double solid_from_black = kSolidFromBlack);

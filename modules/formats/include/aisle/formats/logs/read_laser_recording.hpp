@@ -13,4 +13,7 @@ namespace aisle {
 Result<LaserRecording> read_laser_recording(const std::filesystem::path& path,
                                             const RecordingOptions& options = {});
 
+/// Whether a file or folder is a bag, or a file a log of a 2-D scanner, by its first bytes.
+bool is_laser_recording(const std::filesystem::path& path);
+
 }  // namespace aisle

@@ -13,9 +13,12 @@
 
 namespace aisle {
 
-/// Reads a ROS 2 bag in rosbag2's SQLite layout, message by message. If the recording was killed, opening
-/// finishes the session first: it merges the journal into the database and corrects metadata.yaml. A session
-/// that is still being recorded is read up to its last commit.
+class SessionSource;
+
+/// Reads a ROS 2 bag in SQLite or MCAP, message by message. If the recording of a database was killed,
+/// opening finishes the session first: it merges the journal into the database and corrects metadata.yaml. An
+/// MCAP file without its end is read as far as it goes, but for its last stamp. A session that is still being
+/// recorded is read up to its last commit.
 class SessionReader {
  public:
   struct Message {
@@ -24,7 +27,7 @@ class SessionReader {
     std::string_view cdr;     ///< valid until the next call
   };
 
-  /// Bags of other layouts (MCAP, compressed, several files) are problems that say which layout is read.
+  /// Bags of other layouts (compressed as a whole, several files) are problems that say which layout is read.
   static Result<SessionReader> open(const std::filesystem::path& directory);
 
   SessionReader(SessionReader&&) noexcept;
@@ -34,10 +37,11 @@ class SessionReader {
   /// In the order in which they were first recorded.
   const std::vector<SessionTopic>& topics() const;
 
-  /// The database file, to name it in problems with the content of messages.
+  /// The session's file, to name it in problems with the content of messages.
   const std::filesystem::path& database() const;
 
-  /// The next message, ordered by stamp; messages with equal stamps come in recording order.
+  /// The next message, ordered by stamp; messages with equal stamps come in recording order. An MCAP file in
+  /// another order is a problem.
   /// @return nullopt after the last
   Result<std::optional<Message>> next();
 
@@ -46,11 +50,9 @@ class SessionReader {
   Result<std::optional<std::string>> first_of(const std::string& topic) const;
 
  private:
-  class Source;
+  explicit SessionReader(std::unique_ptr<SessionSource> source);
 
-  explicit SessionReader(std::unique_ptr<Source> source);
-
-  std::unique_ptr<Source> source_;
+  std::unique_ptr<SessionSource> source_;
 };
 
 }  // namespace aisle

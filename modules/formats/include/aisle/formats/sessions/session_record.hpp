@@ -20,10 +20,11 @@ struct RecordedMessage;
 /// the stamp of its observation, so a session whose recording was killed ends with a complete cycle.
 class SessionRecord final : public MissionRecord {
  public:
-  /// `directory` and `force` as in SessionWriter::create.
+  /// `directory`, `force` and `storage` as in SessionWriter::create.
   static Result<SessionRecord> create(const std::filesystem::path& directory, bool force,
                                       const VehicleDescription& vehicle, const SessionOrigin& origin,
-                                      const ImageCoding& coding = {});
+                                      const ImageCoding& coding = {},
+                                      SessionStorage storage = SessionStorage::kSqlite);
 
   /// Writes nothing: all messages only go to `watcher`, which must outlive the record.
   static Result<SessionRecord> shown(MessageSink& watcher, const VehicleDescription& vehicle,

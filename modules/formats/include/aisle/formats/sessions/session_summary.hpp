@@ -36,6 +36,16 @@ struct SessionSummary {
   double duration_s() const { return static_cast<double>(last - first) / 1e9; }
 };
 
+/// What a list of sessions says of one.
+struct SessionOutline {
+  std::string file;  ///< beside metadata.yaml
+  double duration_s = 0;
+  std::int64_t messages = 0;
+};
+
+/// Reads metadata.yaml alone, unless the recording did not end properly: then as summarise_session().
+Result<SessionOutline> outline_session(const std::filesystem::path& directory);
+
 /// Summarises any bag that SessionReader reads, without decoding the messages.
 Result<SessionSummary> summarise_session(const std::filesystem::path& directory);
 

@@ -2,17 +2,21 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "aisle/core/result.hpp"
 #include "aisle/formats/sessions/session_message.hpp"
+#include "aisle/formats/sessions/session_storage.hpp"
 
 namespace aisle {
 
 /// The picture of a run that may be stored with its session; replacing the session removes it too.
 inline constexpr std::string_view kDrivenImage = "driven.svg";
 
-/// A session while it is recorded: a ROS 2 bag in rosbag2's SQLite layout, docs/formats/session.md.
+class SessionRecording;
+
+/// A session while it is recorded: a ROS 2 bag, docs/formats/session.md.
 ///
 /// The same messages give the same bytes. A transaction spans less than a second of stamps, and messages of
 /// the same stamp are always in one transaction. A process that is killed therefore leaves a readable session
@@ -21,7 +25,8 @@ class SessionWriter {
  public:
   /// Begins a session in a new or empty directory. With `force`, an existing session is replaced; a directory
   /// with anything else in it is still a problem.
-  static Result<SessionWriter> create(const std::filesystem::path& directory, bool force);
+  static Result<SessionWriter> create(const std::filesystem::path& directory, bool force,
+                                      SessionStorage storage = SessionStorage::kSqlite);
 
   SessionWriter(SessionWriter&&) noexcept;
   SessionWriter& operator=(SessionWriter&&) noexcept;
@@ -33,18 +38,21 @@ class SessionWriter {
   /// @param stamp  0 to 2^62
   Problems write(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr);
 
-  /// Ends the session: one database file without a journal, and the final metadata.yaml. Empty on success.
+  /// Ends the session: one file, and the final metadata.yaml. Empty on success.
   Problems close();
 
   /// Ends the session and removes all its files.
   void discard();
 
  private:
-  class Recording;
+  SessionWriter(std::filesystem::path directory, std::unique_ptr<SessionRecording> recording);
 
-  explicit SessionWriter(std::unique_ptr<Recording> recording);
+  Problems keep(Problems problems);
 
-  std::unique_ptr<Recording> recording_;
+  std::filesystem::path directory_;
+  std::unique_ptr<SessionRecording> recording_;  ///< null: moved away, or ended
+  std::optional<ros::Stamp_ns> transaction_start_;
+  Problems failure_;
 };
 
 }  // namespace aisle

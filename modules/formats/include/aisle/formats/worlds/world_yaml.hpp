@@ -10,6 +10,8 @@
 
 namespace aisle {
 
+inline constexpr std::size_t kWorldWallsMax = 200'000;  ///< of a world that is read or made
+
 /// Reads a world file; all problems are reported together, each with its line and key.
 Result<World> read_world(const std::filesystem::path& path);
 

@@ -53,6 +53,13 @@ class GuideNavigator final : public Navigator {
 
   Decision step(const Observation& observation) override;
 
+  /// Other places, instead of those that it has not reached; none: it stands.
+  void send_to(std::vector<Vec2> p_map_places, double stamp_s);
+  /// It is somewhere else than it believed.
+  void relocate(const Pose2& T_map_vehicle, double stamp_s);
+  /// The vehicle is here, as somebody has found out before the first step.
+  void begin_at(const UncertainPose2& T_map_vehicle);
+
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const WallLocaliser& localiser() const { return localiser_; }
   std::size_t places_reached() const { return next_; }
@@ -77,6 +84,7 @@ class GuideNavigator final : public Navigator {
   GuideNavigatorParams params_;
   VehicleDescription vehicle_;
   std::unique_ptr<ScanSource> sensor_;
+  const WallMap& walls_;
   WallLocaliser localiser_;
   bool has_barriers_;
   KnownFloor floor_;

@@ -30,6 +30,9 @@ class WallLocaliser {
   WallLocaliser(const WallLocaliserParams& params, const LaserScanner& laser, const WallMap& walls,
                 const UncertainPose2& T_map_vehicle);
 
+  /// The vehicle is known to be here.
+  void begin_at(const UncertainPose2& T_map_vehicle) { T_map_vehicle_ = T_map_vehicle; }
+
   /// Takes the next scan.
   /// @param ranges_m  one per beam of the scanner
   /// @param T_last_now  the vehicle's motion since the previous scan, by odometry

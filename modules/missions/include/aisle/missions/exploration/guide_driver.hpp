@@ -3,15 +3,26 @@
 /// session records.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "aisle/core/result.hpp"
 #include "aisle/formats/sessions/session_origin.hpp"
 #include "aisle/guidance/exploration/guide_navigator.hpp"
+#include "aisle/guidance/exploration/place_finder.hpp"
 #include "aisle/maps/corridor_path.hpp"
 
 namespace aisle {
+
+/// Where a mission in a building begins.
+struct MissionStart {
+  bool is_unknown = false;          ///< the vehicle is to find itself, wherever it stands
+  std::optional<Pose2> T_map_hint;  ///< somebody says that it is about here: checked
+
+  /// Neither: at home.
+  bool is_home() const { return !is_unknown && !T_map_hint; }
+};
 
 /// Where a vehicle is sent in a building.
 struct Goal {
@@ -29,6 +40,9 @@ Result<Goal> patrol_goal(const Building& building, int rounds);
 /// Where missions in a building begin: its place "home", else the map's origin.
 Pose2 home_of(const Building& building);
 
+/// Why goals in a building cannot be driven to: it has no walls, floor or corridors, the vehicle no scanner.
+Problems check_guidable(const Building& building, const VehicleDescription& vehicle);
+
 /// Owns the building that its navigator drives in.
 class GuideDriver final : public Navigator {
  public:
@@ -37,7 +51,8 @@ class GuideDriver final : public Navigator {
   /// What a session records of it. The caller sets the seed.
   /// @param building  the text of a building file
   /// @param goal    "go PLACE" or "patrol ROUNDS"
-  static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string goal);
+  static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string goal,
+                              const MissionStart& start = {});
 
   /// Problems: parameters and building that cannot be read, a building without walls, floor or corridors, an
   /// unknown place, a vehicle without a range scanner.
@@ -45,20 +60,24 @@ class GuideDriver final : public Navigator {
                                                    const VehicleDescription& vehicle);
 
   GuideDriver(const GuideNavigatorParams& params, const VehicleDescription& vehicle, Building building,
-              Goal goal);
+              Goal goal, const MissionStart& start = {});
   GuideDriver(const GuideDriver&) = delete;
   GuideDriver& operator=(const GuideDriver&) = delete;
 
-  Decision step(const Observation& observation) override { return navigator_.step(observation); }
+  /// Finds the vehicle first, unless it begins at home.
+  Decision step(const Observation& observation) override;
 
   const Building& building() const { return building_; }
   const Goal& goal() const { return goal_; }
   const GuideNavigator& navigator() const { return navigator_; }
+  /// The vehicle is not known to be anywhere yet, and the navigator has not begun.
+  bool is_finding() const { return finder_ != nullptr; }
 
  private:
   Building building_;
   Goal goal_;
   GuideNavigator navigator_;
+  std::unique_ptr<PlaceFinder> finder_;  ///< until the vehicle is found
 };
 
 }  // namespace aisle

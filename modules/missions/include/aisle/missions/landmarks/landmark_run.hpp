@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "aisle/core/progress.hpp"
@@ -12,11 +13,18 @@
 
 namespace aisle {
 
+/// A place that the person who taught a run has named where the vehicle was.
+struct NamedCycle {
+  std::size_t cycle = 0;
+  std::string name;
+};
+
 /// A run that landmarks are learned from.
 struct LandmarkRun {
   VehicleDescription vehicle;
   CameraDescription camera;
   std::vector<LandmarkCycle> cycles;
+  std::vector<NamedCycle> places;
   std::vector<Pose2> T_world_vehicle;  ///< true poses of a simulated run, one per cycle: for evaluation only
 };
 

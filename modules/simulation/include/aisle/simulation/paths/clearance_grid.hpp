@@ -8,11 +8,12 @@
 
 namespace aisle {
 
-/// Distance to the nearest obstacle, in square cells over the area that the obstacles span.
+/// Distance to the nearest obstacle or to the grid's border, in square cells over the area that the obstacles
+/// span.
 class ClearanceGrid {
  public:
   /// @param obstacles  at least one
-  /// @param cell_m     made larger if the grid would have more than 16 million cells
+  /// @param cell_m     made larger if the grid would have more than 8 million cells
   ClearanceGrid(std::span<const Segment2> obstacles, double cell_m);
 
   int columns() const { return columns_; }
@@ -20,8 +21,8 @@ class ClearanceGrid {
   std::size_t size() const { return clearance_m_.size(); }
   double cell_m() const { return cell_m_; }
 
-  /// From the middle of a cell to the nearest obstacle [m], never overestimated, underestimated
-  /// by at most 1.5 cells.
+  /// From the middle of a cell to the nearest obstacle or border cell [m], never overestimated,
+  /// underestimated by at most 1.5 cells.
   double clearance_m(std::size_t cell) const { return clearance_m_[cell]; }
   /// The same at any point; 0 outside the grid.
   double clearance_m(const Vec2& p) const;

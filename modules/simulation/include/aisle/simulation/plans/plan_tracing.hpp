@@ -2,6 +2,7 @@
 /// Clean walls from a plan of cells: a straight wall becomes one straight piece, though its border in the
 /// plan is a flight of steps.
 
+#include <optional>
 #include <vector>
 
 #include "aisle/core/progress.hpp"
@@ -30,7 +31,9 @@ int clean_plan(FloorPlan& plan, const PlanCleaningParams& params);
 /// polygon has as few corners as the tolerance allows; pieces that may be parallel to the axes of the plan,
 /// or to the direction that most of its walls have, are exactly so. Solid cells that touch at a corner are
 /// connected.
-/// @return pieces of each polygon in order, each starting where the one before ends
-std::vector<Segment2> trace_plan(const FloorPlan& plan, const PlanTracingParams& params, Progress& progress);
+/// @return pieces of each polygon in order, each starting where the one before ends; no value if the borders
+///         have more than a million corners, which no world holds
+std::optional<std::vector<Segment2>> trace_plan(const FloorPlan& plan, const PlanTracingParams& params,
+                                                Progress& progress);
 
 }  // namespace aisle

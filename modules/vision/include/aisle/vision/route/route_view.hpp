@@ -49,6 +49,11 @@ struct RouteSight {
 /// vehicle's line lasers is seen, something stands, however much it looks like the route.
 class RouteView {
  public:
+  /// Whether the camera looks down: the middle of its lowest row must see the floor.
+  static bool sees_floor(const CameraIntrinsics& intrinsics, const CameraMount& mount, int width_px,
+                         int height_px);
+
+  /// Throws std::invalid_argument unless the camera sees the floor.
   /// @param width_m  of the vehicle
   /// @param stripe_height_m  of the line lasers' light plane above the floor; nullopt: brightness alone
   ///                         decides

@@ -1,8 +1,9 @@
 import { json_of } from "../connection/live_state";
-import type { LiveState } from "../connection/live_state";
 import type { PoseWithCovarianceStamped } from "../connection/messages";
 import type { App } from "../page/app";
-import { element, panel, set_text } from "../page/element";
+import { Age } from "../page/age";
+import { element, set_text } from "../page/element";
+import { text } from "../text";
 import { ellipse_of } from "../plan/geometry";
 
 interface Decision {
@@ -27,39 +28,50 @@ interface TransducerView {
 
 const degrees = 180 / Math.PI;
 
-function row(label: string): { term: HTMLElement; value: HTMLElement } {
-  return { term: element("dt", {}, label), value: element("dd", {}, "–") };
+interface Row {
+  term: HTMLElement;
+  cell: HTMLElement;
+  value: HTMLElement;
+  age: HTMLElement;
 }
 
-function progress_text(state: LiveState): string {
-  if (state.mode === "work") return state.total > 0 ? `${state.done} of ${state.total}` : "working";
-  return `${state.stamp_s.toFixed(1)} s`;
+function row(label: string): Row {
+  const value = element("span", {}, "–");
+  const age = element("span", { class: "age", hidden: true });
+  return { term: element("dt", {}, label), cell: element("dd", {}, value, " ", age), value, age };
 }
 
-/** State and reason, pose with its uncertainty, the transducer's stack, and how the last mission ended. */
-export function state_panel(app: App): HTMLElement {
+/** Folded away: state and reason, pose with its uncertainty, the transducer's stack, and the plan's layers. */
+export function details_panel(app: App, layers: HTMLElement): HTMLElement {
+  const words = text.details;
   const rows = {
-    task: row("Task"),
-    clock: row("Clock"),
-    state: row("State"),
-    why: row("Why"),
-    command: row("Command"),
-    pose: row("Pose"),
-    match: row("Match"),
+    task: row(words.task),
+    clock: row(words.clock),
+    state: row(words.state),
+    why: row(words.why),
+    command: row(words.command),
+    pose: row(words.pose),
+    match: row(words.match),
   };
-  const stack = element("ol", { class: "stack", "aria-label": "Stack, top first" });
+  const stands = () => {
+    const state = app.state.value;
+    return state?.mode === "replay" && !state.replay?.playing;
+  };
+  const age_of = ({ cell, age }: Row) => new Age(cell, age, stands, text.ago);
+  const decided = [rows.state, rows.why, rows.command].map(age_of);
+  const [pose_age, match_age] = [age_of(rows.pose), age_of(rows.match)];
+  const stack = element("ol", { class: "stack", "aria-label": words.stack });
   const rule = element("p", { class: "rule" });
   const transducer = element(
     "div",
     { class: "transducer", hidden: true },
-    element("h3", {}, "Transducer"),
+    element("h3", {}, words.transducer),
     rule,
     stack,
   );
-  const last = element("p", { class: "last", hidden: true });
 
   const show_match = (is_known: boolean) => {
-    for (const part of Object.values(rows.match)) part.hidden = !is_known;
+    for (const part of [rows.match.term, rows.match.cell]) part.hidden = !is_known;
   };
   show_match(false);
 
@@ -68,18 +80,12 @@ export function state_panel(app: App): HTMLElement {
       rows.task.value,
       state ? [state.mode, state.mission, state.task].filter(Boolean).join(" · ") : "–",
     );
-    set_text(rows.clock.value, state ? progress_text(state) : "–");
-    last.hidden = !state?.last;
-    if (!state?.last) return;
-    const { mission, ok, text, problems } = state.last;
-    last.dataset["ok"] = String(ok);
-    set_text(
-      last,
-      `Last: ${mission} ${ok ? "done" : "not done"}. ${[text, ...problems].filter(Boolean).join("\n")}`,
-    );
+    set_text(rows.clock.value, state ? `${state.stamp_s.toFixed(1)} s` : "–");
+    if (state?.paused) set_text(rows.command.value, words.stands);
   });
   app.connection.listen("/decision", (message) => {
     const { command, state, why, status } = json_of<Decision>(message);
+    for (const age of decided) age.renew();
     set_text(rows.state.value, status === "going" ? state : `${state} (${status})`);
     set_text(rows.why.value, why === "" ? "–" : why);
     const turn = command.turn_rate_rad_s !== 0 ? command.turn_rate_rad_s : command.steering_rad;
@@ -90,6 +96,7 @@ export function state_panel(app: App): HTMLElement {
     );
   });
   app.connection.listen("/pose", (message) => {
+    pose_age.renew();
     const { pose, covariance } = (message as PoseWithCovarianceStamped).pose;
     const { a_m } = ellipse_of(covariance[0] ?? 0, covariance[1] ?? 0, covariance[7] ?? 0);
     const heading = Math.sqrt(Math.max(0, covariance[35] ?? 0)) * degrees;
@@ -98,9 +105,10 @@ export function state_panel(app: App): HTMLElement {
     set_text(rows.pose.value, `${x.toFixed(2)}, ${y.toFixed(2)} m${sigma}`);
   });
   app.connection.listen("/match", (message) => {
-    const { quality, text } = json_of<Match>(message);
+    const { quality, text: words_of } = json_of<Match>(message);
     show_match(true);
-    set_text(rows.match.value, `${Math.round(quality * 100)} % · ${text}`);
+    match_age.renew();
+    set_text(rows.match.value, `${Math.round(quality * 100)} % · ${words_of}`);
   });
   app.connection.listen("/transducer", (message) => {
     const { state, input, output, stack: symbols } = json_of<TransducerView>(message);
@@ -111,9 +119,18 @@ export function state_panel(app: App): HTMLElement {
   app.connection.listen("/session", () => {
     transducer.hidden = true;
     show_match(false);
+    for (const age of [...decided, pose_age, match_age]) age.forget();
     for (const { value } of [rows.state, rows.why, rows.command, rows.pose, rows.match]) set_text(value, "–");
   });
 
-  const list = element("dl", {}, ...Object.values(rows).flatMap(({ term, value }) => [term, value]));
-  return panel("State", "state-panel", list, transducer, last);
+  const list = element("dl", {}, ...Object.values(rows).flatMap(({ term, cell }) => [term, cell]));
+  return element(
+    "details",
+    { class: "panel details-panel" },
+    element("summary", {}, words.title),
+    list,
+    transducer,
+    element("h3", {}, words.layers),
+    layers,
+  );
 }

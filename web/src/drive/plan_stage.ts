@@ -1,23 +1,25 @@
 import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
-import { element, panel, tick } from "../page/element";
+import { element, tick } from "../page/element";
 import { building_points } from "../plan/building_geometry";
 import { building_layer } from "../plan/building_layer";
 import { bounds_of } from "../plan/geometry";
 import type { Bounds } from "../plan/geometry";
 import { live_layers } from "../plan/live_layers";
-import { LivePlan } from "../plan/live_plan";
 import { PlanCanvas } from "../plan/plan_canvas";
 import type { Layer } from "../plan/plan_canvas";
+import { text } from "../text";
 import { Goal } from "./goal";
 
 /**
- * The plan of the vehicle's map and motion. While a mission in a building is being chosen, the plan shows that building,
- * and a click picks a goal. The two are never mixed: a waiting vehicle does not know its pose in the building.
+ * The plan of the vehicle's map and motion, and the switches of its layers. While a mission in a building is being
+ * chosen, the plan shows that building, and a click picks a goal. The two are never mixed: a waiting vehicle does not
+ * know its pose in the building.
  */
-export function plan_panel(app: App, store: BuildingStore): HTMLElement {
-  const canvas = new PlanCanvas("Plan of the building and the vehicle");
-  const plan = new LivePlan(app.connection, () => canvas.redraw());
+export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement; layers: HTMLElement } {
+  const canvas = new PlanCanvas(text.plan.name);
+  const plan = app.plan;
+  plan.watch(() => canvas.redraw());
   const goal = new Goal(app, store, () => canvas.redraw());
   const layers = live_layers(plan);
   const hidden = new Set<string>();
@@ -32,6 +34,11 @@ export function plan_panel(app: App, store: BuildingStore): HTMLElement {
   };
   canvas.extent = () => (is_building() ? building_extent : bounds_of(plan.points()));
   canvas.followed = () => (is_building() ? undefined : plan.pose);
+  canvas.covered_left_px = () => {
+    const inset = canvas.element.closest<HTMLElement>(".stage[data-main=plan]")?.querySelector(".camera-box");
+    const covered_px = (inset?.clientWidth ?? 0) + 12;
+    return covered_px < canvas.element.clientWidth / 2 ? covered_px : 0;
+  };
   canvas.tool = { click: (at) => goal.pick(at) };
 
   const toggles = Object.keys(layers).map((name) =>
@@ -41,7 +48,7 @@ export function plan_panel(app: App, store: BuildingStore): HTMLElement {
       arrange();
     }),
   );
-  const building_toggle = tick("chosen building", false, (shown) => (store.is_shown.value = shown));
+  const building_toggle = tick(text.details.building, false, (shown) => (store.is_shown.value = shown));
   store.building.watch((chosen) => {
     building = chosen && building_layer(chosen);
     building_extent = chosen && bounds_of(building_points(chosen));
@@ -56,20 +63,11 @@ export function plan_panel(app: App, store: BuildingStore): HTMLElement {
     canvas.refit();
     arrange();
   });
-  app.state.watch((state) => {
-    if (state && state.mode !== "idle") store.is_shown.value = false;
-  });
-
-  return panel(
-    "Plan",
-    "plan-panel",
-    canvas.element,
-    goal.element,
-    element(
-      "div",
-      { class: "toggles", role: "group", "aria-label": "Layers of the plan" },
-      ...toggles,
-      building_toggle,
-    ),
+  const switches = element(
+    "div",
+    { class: "toggles", role: "group", "aria-label": text.details.layers },
+    ...toggles,
+    building_toggle,
   );
+  return { plan: element("div", { class: "plan-box" }, canvas.element, goal.element), layers: switches };
 }

@@ -1,15 +1,18 @@
-#include "logs/unpacked_file.hpp"
+#include "unpacked_file.hpp"
 
 #include <bzlib.h>
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <string_view>
 #include <vector>
+
+#include "file_limits.hpp"
+#include "input_file.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;
@@ -69,26 +72,34 @@ struct Bzip2Stream {
   bz_stream stream = {};
 };
 
-using InputFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+/// The bytes at hand that stand for so many packed ones: more than any file of measurements or walls has.
+bool is_bomb(std::size_t unpacked, std::size_t packed) {
+  return unpacked > kUnpackedFreely_bytes && unpacked / kUnpackedRatioMax > packed;
+}
 
 /// Unpacks until `max_bytes` are there, the input ends, or it makes no sense. Several packed streams one
 /// after the other are one; what follows the last is ignored.
 template <class Stream>
-UnpackedFile unpack(std::FILE* file, std::size_t max_bytes) {
+UnpackedFile unpack(InputFile& file, std::string_view head, std::size_t max_bytes) {
   Stream packed;
   UnpackedFile unpacked;
   std::vector<char> input(kUnpackChunk), output(kUnpackChunk);
+  std::copy(head.begin(), head.end(), input.begin());
+  packed.set_input(input.data());
+  packed.stream.avail_in = static_cast<unsigned>(head.size());
+  std::size_t read = head.size();
   bool between_streams = false;
   bool has_more_output = false;
   while (unpacked.bytes.size() < max_bytes) {
     if (packed.stream.avail_in == 0 && !has_more_output) {
-      const std::size_t count = std::fread(input.data(), 1, input.size(), file);
-      if (count == 0) {
+      const ssize_t count = file.read(input.data(), input.size());
+      if (count <= 0) {
         if (!between_streams) unpacked.damage = std::string("the ") + Stream::kName + " stream is cut off";
         break;
       }
       packed.set_input(input.data());
       packed.stream.avail_in = static_cast<unsigned>(count);
+      read += static_cast<std::size_t>(count);
     }
     if (between_streams) {
       if (static_cast<char>(*packed.stream.next_in) != Stream::kMagic.front()) break;
@@ -99,6 +110,10 @@ UnpackedFile unpack(std::FILE* file, std::size_t max_bytes) {
     packed.stream.avail_out = static_cast<unsigned>(output.size());
     const Unpacking progress = packed.step();
     unpacked.bytes.append(output.data(), output.size() - packed.stream.avail_out);
+    if (is_bomb(unpacked.bytes.size(), read - packed.stream.avail_in)) {
+      unpacked.is_bomb = true;
+      break;
+    }
     between_streams = progress == Unpacking::kStreamEnds;
     has_more_output = !between_streams && packed.stream.avail_out == 0;
     if (progress != Unpacking::kDamaged) continue;
@@ -108,34 +123,32 @@ UnpackedFile unpack(std::FILE* file, std::size_t max_bytes) {
   return unpacked;
 }
 
-UnpackedFile read_unpacked(std::FILE* file, std::size_t max_bytes) {
+UnpackedFile read_plain(InputFile& file, std::string_view head, std::size_t max_bytes) {
   UnpackedFile plain;
+  plain.bytes.reserve(std::min<std::size_t>(file.bytes(), max_bytes));
+  plain.bytes = head;
   std::vector<char> input(kUnpackChunk);
-  while (plain.bytes.size() < max_bytes) {
-    const std::size_t count = std::fread(input.data(), 1, input.size(), file);
-    if (count == 0) break;
-    plain.bytes.append(input.data(), count);
-  }
-  if (std::ferror(file) != 0) plain.damage = std::strerror(errno);
+  ssize_t count = 1;
+  while (plain.bytes.size() < max_bytes && (count = file.read(input.data(), input.size())) > 0)
+    plain.bytes.append(input.data(), static_cast<std::size_t>(count));
+  if (count < 0) plain.damage = std::strerror(errno);
   return plain;
 }
 
 /// At least `max_bytes` if the file has them.
 Result<UnpackedFile> unpacked_up_to(const fs::path& path, std::size_t max_bytes) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return Problem{{path.string()}, "no such file"};
-  if (fs::is_directory(status)) return Problem{{path.string()}, "is a directory, not a file"};
-  const InputFile file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) return Problem{{path.string()}, std::string("cannot be opened: ") + std::strerror(errno)};
-
-  char head[4] = {};
-  const std::size_t count = std::fread(head, 1, sizeof(head), file.get());
-  const std::string_view magic(head, count);
-  std::rewind(file.get());
-  UnpackedFile unpacked = magic.starts_with(kGzipMagic)    ? unpack<GzipStream>(file.get(), max_bytes)
-                          : magic.starts_with(kBzip2Magic) ? unpack<Bzip2Stream>(file.get(), max_bytes)
-                                                           : read_unpacked(file.get(), max_bytes);
+  auto file = InputFile::open(path);
+  if (!file) return file.problems();
+  std::array<char, 4> first{};
+  std::size_t count = 0;
+  for (ssize_t more = 1; more > 0 && count < first.size(); count += static_cast<std::size_t>(more)) {
+    more = file->read(first.data() + count, first.size() - count);
+    if (more < 0) return Problem{{path.string()}, std::string("cannot be read: ") + std::strerror(errno)};
+  }
+  const std::string_view head(first.data(), count);
+  UnpackedFile unpacked = head.starts_with(kGzipMagic)    ? unpack<GzipStream>(*file, head, max_bytes)
+                          : head.starts_with(kBzip2Magic) ? unpack<Bzip2Stream>(*file, head, max_bytes)
+                                                          : read_plain(*file, head, max_bytes);
   if (unpacked.bytes.empty() && !unpacked.damage.empty()) {
     return Problem{{path.string()}, "cannot be read: " + unpacked.damage};
   }
@@ -146,6 +159,11 @@ Result<UnpackedFile> unpacked_up_to(const fs::path& path, std::size_t max_bytes)
 
 Result<UnpackedFile> read_unpacked_file(const fs::path& path, std::size_t max_bytes) {
   Result<UnpackedFile> unpacked = unpacked_up_to(path, max_bytes + 1);
+  if (unpacked && unpacked->is_bomb) {
+    return Problem{{path.string()},
+                   fmt::format("holds more than {} bytes for every packed one: so much is not unpacked",
+                               kUnpackedRatioMax)};
+  }
   if (unpacked && unpacked->bytes.size() > max_bytes) {
     return Problem{{path.string()}, "is larger than " + std::to_string(max_bytes >> 20) + " MiB unpacked"};
   }

@@ -1,0 +1,20 @@
+#pragma once
+/// Buildings to be found in: learned ones, and maps that others have made.
+
+#include <filesystem>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/core/result.hpp"
+#include "aisle/formats/images/plan_image.hpp"
+#include "aisle/maps/building.hpp"
+
+namespace aisle {
+
+/// The walls and the floor that a map shows. A wall is a border of free floor with occupied cells behind it;
+/// where floor borders on what nobody has seen, there is none.
+Building building_of_map(const PlanReading& map, std::string name, Progress& progress);
+
+/// Reads a building file (JSON), or a map of map_server (YAML), told by the name. Warnings go to the console.
+Result<Building> read_known_building(const std::filesystem::path& file, Console& console);
+
+}  // namespace aisle

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/localisation/place_candidates.hpp"
+
+namespace aisle {
+
+struct LocaliserParams {
+  LocalViewParams view;
+  PlaceSearchParams search;
+  double search_every_m = 0.3;  ///< it searches again after this path, or ...
+  double search_every_rad = 15 * kDegree;
+  double view_min_m = 6;        ///< with less surface in view it does not search
+  double not_here_view_m = 15;  ///< a view with so much surface that fits nowhere is of another building
+  double hint_m = 1.5;          ///< how far a hint may be wrong
+  double hint_rad = 30 * kDegree;
+  double lost_share = 0.4;  ///< of a scan's beams: with fewer explained for `lost_s` it is lost
+  double lost_s = 3;
+  int track_hits = 180;  ///< of a scan, while tracking
+
+  void describe(FieldList& fields);
+};
+
+enum class LocaliserState {
+  kSearching,  ///< too little was seen
+  kAmbiguous,  ///< several places fit, or one that no second view has confirmed
+  kNotHere,    ///< what was seen fits nowhere
+  kFound,      ///< and tracked since
+  kLost,       ///< was found, but what it sees no longer fits; searches again
+};
+
+const char* name_of(LocaliserState state);
+
+/// A scan as the localiser takes it, in the vehicle's frame.
+struct LocaliserScan {
+  std::span<const Vec2> hits;
+  Vec2 p_laser = Vec2::Zero();
+  double stamp_s = 0;
+};
+
+/// Finds a vehicle in a known building from no guess at all, then tracks it, and notices when it is lost.
+/// Only poses that nothing else in the building rivals are called found.
+class Localiser {
+ public:
+  /// @throws std::invalid_argument if the building has no surfaces
+  Localiser(const LocaliserParams& params, const Building& building);
+
+  /// Somebody says that the vehicle is about here. Tells places apart that fit alike; believed only where
+  /// what is seen fits.
+  void take_hint(const Pose2& T_map_vehicle);
+
+  /// @param T_last_now  the vehicle's motion since the last scan, by odometry
+  void take_scan(const LocaliserScan& scan, const UncertainPose2& T_last_now);
+
+  LocaliserState state() const { return state_; }
+  bool is_found() const { return state_ == LocaliserState::kFound; }
+  /// Where it is, while it is found.
+  const UncertainPose2& T_map_vehicle() const { return T_map_vehicle_; }
+  /// Where it may be, while it is not found; the best first.
+  const std::vector<PlaceCandidate>& places() const { return last_.places; }
+  /// All places that fit are in `places()`.
+  bool knows_all_places() const { return last_.is_complete; }
+  /// The hint did not fit what is seen.
+  bool hint_was_wrong() const { return hint_was_wrong_; }
+  /// Share of the last scan's beams that the building explains, while it is found.
+  double explained_share() const { return explained_share_; }
+
+ private:
+  void carry(const Pose2& T_last_now);
+  bool is_time_to_search() const;
+  void search();
+  std::optional<PlaceCandidate> told_place(std::span<const ViewBeam> beams);
+  void judge(const std::optional<PlaceCandidate>& told);
+  void believe(const PlaceCandidate& place);
+  void track(const LocaliserScan& scan, const UncertainPose2& T_last_now);
+  void choose_hits(std::span<const Vec2> hits);
+
+  LocaliserParams params_;
+  SurfaceField field_;
+  LikelihoodPyramid map_;
+  LocalView view_;
+  LocaliserState state_ = LocaliserState::kSearching;
+  PlaceSearch last_;                  ///< carried on by odometry
+  std::optional<Pose2> T_map_alone_;  ///< the only place that fitted the last view
+  std::optional<Pose2> T_map_hint_;
+  bool hint_was_wrong_ = false;
+  double searched_path_m_ = 0;
+  double searched_turned_rad_ = 0;
+  bool has_searched_ = false;
+  UncertainPose2 T_map_vehicle_;
+  double explained_share_ = 0;
+  double explained_s_ = 0;  ///< when a scan was last explained
+  std::vector<Vec2> hits_;
+  std::vector<ViewBeam> beams_;
+};
+
+}  // namespace aisle

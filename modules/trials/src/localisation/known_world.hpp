@@ -1,0 +1,24 @@
+#pragma once
+
+#include "aisle/commands/simulation_setting.hpp"
+#include "aisle/core/progress.hpp"
+#include "aisle/core/random.hpp"
+#include "aisle/maps/building.hpp"
+#include "aisle/simulation/paths/free_floor.hpp"
+
+namespace aisle {
+
+/// The building that the world is: all that the vehicle's scanner can hit, exactly, and the floor that can be
+/// reached from its start. Its frame `map` is the world's.
+Building building_of_world(const SimulationSetting& setting, const FreeFloor& floor);
+
+/// The same as a map with 5 cm cells that somebody made before 5 % of the walls were built and the furniture
+/// was moved.
+Building outdated_map_of_world(const SimulationSetting& setting, const FreeFloor& floor, Random random,
+                               Progress& progress);
+
+/// A pose at which the vehicle fits, on floor that can be reached; the world's start if none is found.
+Pose2 random_pose(const SimulationSetting& setting, const FreeFloor& floor, const Pose2& T_world_start,
+                  Random& random);
+
+}  // namespace aisle
