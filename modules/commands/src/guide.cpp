@@ -108,7 +108,7 @@ Result<Outcome> follow_goals_of_robot(const GuideOptions& options, Console& cons
   auto follower = GoalFollower::make(params, std::move(*building), vehicle.description(),
                                      {goal, [&asked] { return asked.take_initial_pose(); }, console.warn});
   if (!follower) return in_file(follower.problems(), options.building.string());
-  auto shown = open_session({}, false, vehicle, nullptr, {}, (*robot)->viewer.get());
+  auto shown = open_session({}, false, options.storage, vehicle, nullptr, {}, (*robot)->viewer.get());
   if (!shown) return shown.problems();
   console.warn("waits for goals on " + (*robot)->connection.topic("goal_pose"));
   const auto result = follow_goals(vehicle, **follower, *shown, console.progress);
