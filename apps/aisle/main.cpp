@@ -72,14 +72,18 @@ int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output outpu
   while (!deepest->get_subcommands().empty()) deepest = deepest->get_subcommands().front();
   const std::string verb = verb_of(app);
   const std::string program = verb.empty() ? "aisle" : "aisle " + verb;
-  const std::vector<std::string> unknown = deepest->remaining();
+  const bool has_verbs_below = !deepest->get_subcommands([](const CLI::App*) { return true; }).empty();
+  std::vector<std::string> unknown = app.remaining(true);
+  // A verb that needs another one is refused before the parser looks at what stands in its place.
+  const char* const* below = std::find(argv, argv + argc, deepest->get_name());
+  if (unknown.empty() && has_verbs_below && below + 1 < argv + argc && below[1][0] != '-')
+    unknown = {below[1]};
   std::string why = error.what();
   if (verb.empty() && !unknown.empty()) why = "unknown verb or option '" + unknown.front() + "'";
-  if (const auto word =
-          std::find_if(unknown.begin(), unknown.end(),
-                       [&](const std::string& w) { return verb.empty() || w.starts_with("--"); });
-      word != unknown.end())
-    why += suggestion(*deepest, *word);
+  const auto word = std::find_if(unknown.begin(), unknown.end(), [&](const std::string& one) {
+    return has_verbs_below || one.starts_with("--");
+  });
+  if (word != unknown.end()) why += suggestion(*deepest, *word);
   return refuse(verb, {{{program}, fmt::format("{} (see {} --help)", why, program)}}, output);
 }
 

@@ -83,8 +83,9 @@ TEST_P(RealPlans, AreTracedWithoutLosingFloorAndCanBeDriven) {
     clean_plan(*plan, {.speck_m = 0.1});
     SilentProgress silent;
     World world{.name = file.stem().string()};
-    for (const Segment2& wall : trace_plan(*plan, {}, silent).value())
-      world.walls.push_back({.floor_edge = wall});
+    const auto walls = trace_plan(*plan, {}, silent);
+    ASSERT_TRUE(walls) << file;
+    for (const Segment2& wall : *walls) world.walls.push_back({.floor_edge = wall});
     const Agreement agrees = agreement(*plan, wall_floor_edges(written(world)));
     EXPECT_GE(agrees.all, 0.99) << file;
     EXPECT_GE(agrees.away_from_borders, 0.999) << file;

@@ -162,7 +162,8 @@ TEST_F(LiveProgram, RunsMissionsAndAnswersQuestions) {
   client.read_until([&] { return client.time_ns > 3'000'000'000U; });
   client.call("mission/stop", {{"lease", client.call("lease/take")["lease"]}});
   client.read_until([&] { return state_of(client)["mode"] == "idle"; });
-  EXPECT_EQ(state_of(client)["last"]["text"], "stopped");
+  EXPECT_THAT(state_of(client)["last"]["text"].get<std::string>(),
+              testing::HasSubstr("ended by the operator"));
   EXPECT_EQ(client.call("sessions/list")["sessions"][0]["name"], "trip");
   EXPECT_TRUE(client.call("sessions/info", {{"session", "trip"}}).contains("topics"));
   EXPECT_EQ(live_http(port, "GET", "/sessions/").body, R"({"sessions":["trip"]})");

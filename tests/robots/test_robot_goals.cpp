@@ -32,6 +32,7 @@ class RobotGoals : public Workplace {
     aisle = std::make_unique<RunningAisle>(
         Arguments{"go", at("floor/building.json"), "--connect", at("robot.yaml")});
     ASSERT_TRUE(says("waits for goals on /goal_pose")) << aisle->error_so_far();
+    wait_until_heard();
   }
   void TearDown() override {
     if (!aisle) return;
@@ -40,6 +41,16 @@ class RobotGoals : public Workplace {
   }
 
   static std::string domain() { return std::to_string(robots::domain_of_this_process()); }
+
+  /// What is published before both ends know of each other is lost.
+  void wait_until_heard() {
+    constexpr int kAlsoOnTheOtherSide = 50;  // messages of the robot
+    while (goal.subscribers() == 0 || initial_pose.subscribers() == 0) {
+      see_robot();
+      ASSERT_FALSE(HasFailure());
+    }
+    for (int i = 0; i < kAlsoOnTheOtherSide; ++i) see_robot();
+  }
 
   /// The robot's odometry wakes.
   bool says(const std::string& words) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -128,17 +127,6 @@ TEST(IndependentReader, DecodesEveryMessageAsWeDo) {
     record_sample(directory, 20, {kind});
     expect_same_messages(directory);
   }
-}
-
-TEST(IndependentReader, ReadsAKilledSessionOnceItWasOpened) {
-  const SessionPlace place;
-  auto record = SessionRecord::create(place / "live", false, sample_vehicle(), sample_origin());
-  for (int i = 0; i < 40; ++i) ASSERT_TRUE(record->keep(sample_observation(i)).ok());
-  fs::create_directory(place / "killed");
-  for (const auto& file : fs::directory_iterator(place / "live")) {
-    if (file.path().extension() != ".db3-shm") fs::copy(file.path(), place / "killed");
-  }
-  expect_same_messages(place / "killed");
 }
 
 }  // namespace

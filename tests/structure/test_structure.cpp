@@ -81,12 +81,19 @@ TEST_F(Structure, PrintingAndEndingTheProgramAreRecognised) {
   }
 }
 
+/// A worker of `trials` is a process that the library has started: it ends without the program's exit
+/// handlers.
+bool ends_a_worker(const std::string& module, const std::string& line) {
+  return module == "trials" && line.ends_with("::_exit(EXIT_SUCCESS);");
+}
+
 TEST_F(Structure, LibrariesNeverPrintExitOrAbort) {
   std::size_t inspected = 0;
   for (const auto& [name, module] : modules) {
     for (const char* part : {"include", "src"}) {
       for (const SourceLine& line : source_lines(directory(name) / part)) {
-        EXPECT_FALSE(prints_or_ends_the_program(line.text)) << to_string(line);
+        if (!ends_a_worker(name, line.text))
+          EXPECT_FALSE(prints_or_ends_the_program(line.text)) << to_string(line);
         ++inspected;
       }
     }

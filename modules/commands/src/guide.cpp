@@ -105,7 +105,7 @@ Result<Outcome> follow_goals_of_robot(const GuideOptions& options, Console& cons
     const auto T_map = asked.take_goal();
     return T_map ? std::optional(T_map->position()) : std::nullopt;
   };
-  auto follower = GoalFollower::make(params, std::move(*building), vehicle.description(),
+  auto follower = GoalFollower::make(params, *building, vehicle.description(),
                                      {goal, [&asked] { return asked.take_initial_pose(); }, console.warn});
   if (!follower) return in_file(follower.problems(), options.building.string());
   auto shown = open_session({}, false, options.storage, vehicle, nullptr, {}, (*robot)->viewer.get());

@@ -83,11 +83,12 @@ FloorGrid floor_of(const PlanReading& map) {
 
 }  // namespace
 
-Building building_of_map(const PlanReading& map, std::string name, Progress& progress) {
+Result<Building> building_of_map(const PlanReading& map, std::string name, Progress& progress) {
+  const auto borders = trace_plan(map.plan, {}, progress);
+  if (!borders) return Problem{{name}, "has more than a million corners: no map of a building"};
   Building building;
   building.name = std::move(name);
-  for (const Segment2& border : trace_plan(map.plan, {}, progress))
-    add_walls(map, border, building.walls.walls);
+  for (const Segment2& border : *borders) add_walls(map, border, building.walls.walls);
   building.has_dominant_direction = building.walls.orthogonal_share() > 0;
   building.floor = floor_of(map);
   return building;
@@ -98,8 +99,9 @@ Result<Building> read_known_building(const std::filesystem::path& file, Console&
   const auto map = read_map_server(file);
   if (!map) return map.problems();
   warn_of(map->warnings, console);
-  Building building = building_of_map(*map, file.stem().string(), console.progress);
-  if (building.walls.walls.empty() && building.floor->count(Floor::kOccupied) == 0)
+  auto building = building_of_map(*map, file.stem().string(), console.progress);
+  if (!building) return at_file(building.problems(), file.string());
+  if (building->walls.walls.empty() && building->floor->count(Floor::kOccupied) == 0)
     return Problem{{file.string()}, "shows no walls"};
   return building;
 }

@@ -8,11 +8,10 @@
 #include "aisle/formats/bags/bag_scan.hpp"
 #include "aisle/formats/bags/transform_tree.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
+#include "map_frame.hpp"
 
 namespace aisle {
 namespace {
-
-constexpr const char* kMapFrame = "map";
 
 const ros::Pose& pose_in(const ros::PoseStamped& message) {
   return message.pose;
@@ -45,9 +44,9 @@ Problems RobotGoals::subscribe(Wire& wire, Inbox& inbox) {
         inbox.T_map.reset();
         if (!T_map) {
           inbox.refused = "is no pose";
-        } else if (frame_name(message->header.frame_id) != kMapFrame) {
+        } else if (frame_name(message->header.frame_id) != kMapFrameId) {
           inbox.refused =
-              fmt::format("is in the frame '{}', not in '{}'", message->header.frame_id, kMapFrame);
+              fmt::format("is in the frame '{}', not in '{}'", message->header.frame_id, kMapFrameId);
         } else {
           inbox.T_map = in_the_plane(*T_map);
         }

@@ -10,11 +10,11 @@
 #include "aisle/formats/bags/transform_tree.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/map_messages.hpp"
+#include "map_frame.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr const char* kMapFrame = "map";
 constexpr const char* kTransforms = "/tf";
 constexpr std::size_t kOwnKept = 50;  // of transforms, which come back over the network
 
@@ -24,7 +24,7 @@ Pose2 pose_of(const ros::Pose& pose) {
 
 ros::TransformStamped transform(ros::Stamp_ns stamp, const std::string& child, const Pose2& T_map_child) {
   ros::TransformStamped message;
-  message.header = {ros::time_of(stamp), kMapFrame};
+  message.header = {ros::time_of(stamp), kMapFrameId};
   message.child_frame_id = child;
   message.transform.translation = {T_map_child.x, T_map_child.y, 0};
   message.transform.rotation = {0, 0, std::sin(T_map_child.theta / 2), std::cos(T_map_child.theta / 2)};
@@ -87,7 +87,7 @@ void RobotViewer::hear_transforms(std::string_view cdr) {
   const auto is_own = [&](const std::string& own) { return cdr.starts_with(own); };
   if (std::any_of(own_transforms_.begin(), own_transforms_.end(), is_own)) return;
   for (const ros::TransformStamped& transform : message->transforms)
-    others_place_odom_ |= frame_name(transform.header.frame_id) == kMapFrame &&
+    others_place_odom_ |= frame_name(transform.header.frame_id) == kMapFrameId &&
                           frame_name(transform.child_frame_id) == connection_.frames.odom;
 }
 
@@ -117,7 +117,7 @@ void RobotViewer::publish_pose(std::string_view cdr) {
     if (own_transforms_.size() > kOwnKept) own_transforms_.pop_front();
     is_left = others_place_odom_;
   }
-  if (is_left) return leave(fmt::format("the transform from {} to {}", kMapFrame, connection_.frames.odom));
+  if (is_left) return leave(fmt::format("the transform from {} to {}", kMapFrameId, connection_.frames.odom));
   static const SessionTopic transforms{kTransforms, ros::TFMessage::kType};
   publish(transforms, kTransforms, own);
 }

@@ -76,12 +76,17 @@ class FrontierFinder {
 
   Frontier gather(FloorCell first) {
     const int gap = static_cast<int>(params_.cluster_gap_m / floor_.cell_m());
+    const int half = static_cast<int>(params_.length_max_m / 2 / floor_.cell_m());
+    const auto is_near = [&](FloorCell cell) {
+      return std::abs(cell.x - first.x) <= half && std::abs(cell.y - first.y) <= half;
+    };
     Frontier frontier;
     frontier.cells.push_back(first);
     marks_[clearance_.index(first)] = kTaken;
     for (std::size_t i = 0; i < frontier.cells.size(); ++i) {
       for_neighbours(FloorCell(frontier.cells[i]), gap, [&](FloorCell next) {
         if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] != kFrontierCell) return;
+        if (!is_near(next)) return;
         marks_[clearance_.index(next)] = kTaken;
         frontier.cells.push_back(next);
       });
@@ -159,6 +164,7 @@ void FrontierParams::describe(FieldList& fields) {
   fields.real("area_min_m2", area_min_m2, {0.01, 5}, "least floor behind a frontier");
   fields.real("cluster_gap_m", cluster_gap_m, {0.05, 1},
               "pieces of a frontier within this of each other are one");
+  fields.real("length_max_m", length_max_m, {1, 100}, "longer frontiers are cut into several");
 }
 
 Frontier with_cells_halved(Frontier frontier) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "drawn_floor.hpp"
 
 namespace aisle {
@@ -30,6 +32,27 @@ TEST(Frontiers, DoorIsOneWhenTheVehicleFitsThrough) {
     drawn.put({2, 2}, {2 + width_m, 2.05}, Floor::kFree);
     EXPECT_EQ(drawn.frontiers().size(), width_m > 0.9 ? 1 : 0) << width_m;
   }
+}
+
+/// The floor seen in the middle of a hall ends all around: one look shows only a part of that.
+TEST(Frontiers, AreCutWhereOneLookCannotShowThem) {
+  DrawnFloor drawn;
+  drawn.put({0, 0}, {20, 20}, Floor::kFree);
+  const auto frontiers = drawn.frontiers();
+  const int most = static_cast<int>(drawn.params.length_max_m / drawn.floor.cell_m()) + 1;
+  std::set<FloorCell> cells;
+  std::size_t counted = 0;
+  for (const Frontier& frontier : frontiers) {
+    EXPECT_LE(frontier.box.end.x - frontier.box.low.x, most);
+    EXPECT_LE(frontier.box.end.y - frontier.box.low.y, most);
+    cells.insert(frontier.cells.begin(), frontier.cells.end());
+    counted += frontier.cells.size();
+  }
+  EXPECT_EQ(cells.size(), counted) << "none belongs to two";
+  drawn.params.length_max_m = 100;
+  const auto whole = drawn.frontiers();
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_EQ(cells, std::set<FloorCell>(whole.front().cells.begin(), whole.front().cells.end()));
 }
 
 TEST(Frontiers, UnreachableOnesAreLeftOut) {

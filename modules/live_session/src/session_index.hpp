@@ -18,6 +18,7 @@ class SessionIndex {
   nlohmann::ordered_json rows();
 
  private:
+  // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON throws only where its own invariant is broken
   struct Entry {
     std::string state;           ///< of the session's files when it was read
     nlohmann::ordered_json row;  ///< null: cannot be read

@@ -77,9 +77,9 @@ PoseSearch::PoseSearch(const LikelihoodPyramid& map, std::span<const Vec2> hits,
 void PoseSearch::turn_hits(std::span<const Vec2> hits) {
   hits_turned_.reserve(hits_ * kHeadings);
   for (int heading = 0; heading < kHeadings; ++heading) {
-    const Mat2 R = rotation(heading * kHeadingStep_rad);
+    const Mat2 turn = rotation(heading * kHeadingStep_rad);
     for (const Vec2& hit : hits) {
-      const Vec2 cells = (R * hit) / LikelihoodPyramid::kCell_m;
+      const Vec2 cells = (turn * hit) / LikelihoodPyramid::kCell_m;
       hits_turned_.push_back({static_cast<std::int16_t>(std::floor(cells.x() + 0.5)),
                               static_cast<std::int16_t>(std::floor(cells.y() + 0.5)),
                               static_cast<std::int16_t>(cells.norm() * kHeadingStep_rad / 2)});

@@ -102,10 +102,10 @@ SurfaceAlignment align_to_surfaces(const SurfaceField& field, std::span<const Ve
     Mat3 information = Mat3::Zero();
     Vec3 pull = Vec3::Zero();
     int near = 0;
-    const Mat2 R = rotation(T.theta);
+    const Mat2 turn = rotation(T.theta);
     const Vec2 p_map_laser = T * p_laser;
     for (const Vec2& hit : hits) {
-      const Vec2 turned = R * hit;
+      const Vec2 turned = turn * hit;
       const Residual residual = residual_of(field, T.position() + turned, p_map_laser);
       if (residual.weight <= 0) continue;
       near += std::abs(residual.off_m) < kNear_m ? 1 : 0;

@@ -20,6 +20,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The end of a worker, which must not do again what its parent does when it ends.
+[[noreturn]] void end_worker() {
+  ::_exit(EXIT_SUCCESS);
+}
+
 /// Without a signal if nobody listens any more.
 bool send_all(int socket, const void* bytes, std::size_t count) {
   const char* next = static_cast<const char*>(bytes);
@@ -36,7 +41,7 @@ bool send_all(int socket, const void* bytes, std::size_t count) {
 /// One line of JSON to the parent, without which there is nothing left to do.
 void say(int socket, const Json& what) {
   const std::string line = what.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (!send_all(socket, line.data(), line.size())) ::_exit(EXIT_FAILURE);
+  if (!send_all(socket, line.data(), line.size())) end_worker();
 }
 
 Json json_of(const Problems& problems) {
@@ -59,7 +64,7 @@ Problems problems_of(const Json& list) {
 /// the parent's to answer.
 [[noreturn]] void work(const TrialMissions& missions, int socket, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(EXIT_FAILURE);
+  if (::getppid() != parent) end_worker();
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_DFL);
   SilentProgress progress;
@@ -73,7 +78,7 @@ Problems problems_of(const Json& list) {
   } catch (const std::exception& error) {
     say(socket, {{"died", fmt::format("internal error: {}", error.what())}});
   }
-  ::_exit(EXIT_SUCCESS);
+  end_worker();
 }
 
 std::string cause_of_death(int status) {

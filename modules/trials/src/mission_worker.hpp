@@ -14,6 +14,7 @@
 namespace aisle {
 
 /// What a worker says of a mission that has ended: a record, problems, or why it died.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving JSON throws only where its own invariant is broken
 struct WorkerAnswer {
   nlohmann::ordered_json record;  ///< null: there is none
   Problems problems;

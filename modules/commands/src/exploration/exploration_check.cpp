@@ -15,10 +15,12 @@ namespace {
 
 constexpr double kOpeningCell_m = 0.05;
 constexpr double kNearStart_m = 0.5;
+constexpr double kNextCells = 1.7;  // less than this beyond the clearance, the next cell would be too near
 constexpr int kRays = 72;
 constexpr double kOutsideShare = 0.4;  ///< share of rays without a hit from which on a place is outside
 
-/// The shortest path of cells from a place to the edge of the grid; empty if there is none.
+/// The shortest path of cells from a place to where only the edge of the grid is in the way; empty if there
+/// is none.
 std::vector<Vec2> path_out(const ClearanceGrid& grid, const Vec2& start, double clearance_m) {
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> came_from(grid.size(), kNone), open;
@@ -30,7 +32,8 @@ std::vector<Vec2> path_out(const ClearanceGrid& grid, const Vec2& start, double 
   const auto columns = static_cast<std::size_t>(grid.columns()), rows = static_cast<std::size_t>(grid.rows());
   for (std::size_t next = 0; next < open.size(); ++next) {
     const std::size_t cell = open[next], column = cell % columns, row = cell / columns;
-    if (column == 0 || row == 0 || column + 1 == columns || row + 1 == rows) {
+    const std::size_t to_edge = std::min({column, row, columns - 1 - column, rows - 1 - row});
+    if (static_cast<double>(to_edge) * grid.cell_m() < clearance_m + kNextCells * grid.cell_m()) {
       std::vector<Vec2> path = {grid.centre(cell)};
       for (std::size_t at = cell; came_from[at] != at; at = came_from[at])
         path.push_back(grid.centre(came_from[at]));

@@ -12,6 +12,12 @@ namespace {
 
 constexpr ros::Stamp_ns kMcapStampEnd_ns = ros::Stamp_ns{1} << 62;
 
+bool begins_with_magic(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(kMcapMagic.size(), '\0');
+  return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == kMcapMagic;
+}
+
 /// Whether a recording was ended; one that was killed or is still going on has no end.
 bool ends_with_magic(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -139,6 +145,9 @@ Result<std::optional<std::string>> McapSession::first_of(const std::string& topi
 
 Result<std::unique_ptr<SessionSource>> open_mcap_session(const std::filesystem::path& path) {
   auto bag = BagReader::open(path);
+  if (!bag && begins_with_magic(path) && !ends_with_magic(path))
+    return Problem{{path.string()},
+                   "holds no message: the session ended before its first second was written"};
   if (!bag) return bag.problems();
   auto session = std::make_unique<McapSession>(path, std::move(*bag));
   if (Problems problems = session->begin(); !problems.empty()) return problems;

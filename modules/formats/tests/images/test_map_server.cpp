@@ -102,11 +102,12 @@ TEST_P(OwnMaps, AreReadAsTheyWereWritten) {
   EXPECT_EQ(map->mode, GetParam());
   const auto pixels = parse_plan_pixels(map_image_bytes(image, GetParam()), "map.pgm");
   ASSERT_TRUE(pixels.ok()) << to_string(pixels.problems());
-  const auto [plan, warnings] = plan_of_map(*pixels, *map);
-  EXPECT_TRUE(plan.is_solid(0, 0));
-  EXPECT_FALSE(plan.is_solid(1, 0));
-  EXPECT_TRUE(plan.is_solid(2, 0));
-  EXPECT_THAT(warnings, testing::IsEmpty());
+  const PlanReading reading = plan_of_map(*pixels, *map);
+  EXPECT_TRUE(reading.plan.is_solid(0, 0));
+  EXPECT_FALSE(reading.plan.is_solid(1, 0));
+  EXPECT_TRUE(reading.plan.is_solid(2, 0));
+  EXPECT_THAT(reading.unseen, testing::ElementsAre(0, 0, 1)) << "no wall: unknown";
+  EXPECT_THAT(reading.warnings, testing::IsEmpty());
 }
 
 /// navigation2#2590: `mode: raw` was read as trinary, so that free (0) became a wall.
@@ -128,13 +129,13 @@ TEST(MapServerModes, TrinaryAndScaleGoByTheThresholds) {
 /// navigation2#5138, #5278: map_saver's grey for unknown beside its own default threshold.
 TEST(MapServerModes, TheUnknownGreyOfMapSaverIsUnknownWhateverTheThreshold) {
   const auto map = parse_map_server_yaml(kHead + "free_thresh: 0.25\n", "map.yaml");
-  const auto [plan, warnings] = plan_of_map(row_of({0, 205, 254, 255}), *map);
-  EXPECT_TRUE(plan.is_solid(1, 0));
-  EXPECT_FALSE(plan.is_solid(2, 0));
-  EXPECT_THAT(to_string(warnings), testing::HasSubstr("map.yaml:4: free_thresh: 0.25 makes grey 205 free"));
-  const auto [drawn, said] = plan_of_map(row_of({0, 205, 210, 220, 254}), *map);
-  EXPECT_FALSE(drawn.is_solid(1, 0)) << "a drawn map with other greys";
-  EXPECT_THAT(to_string(said), testing::HasSubstr("taken as free"));
+  const PlanReading saved = plan_of_map(row_of({0, 205, 254, 255}), *map);
+  EXPECT_TRUE(saved.plan.is_solid(1, 0));
+  EXPECT_FALSE(saved.plan.is_solid(2, 0));
+  EXPECT_THAT(to_string(saved.warnings), testing::HasSubstr("map.yaml:4: free_thresh: 0.25 makes grey 205 free"));
+  const PlanReading drawn = plan_of_map(row_of({0, 205, 210, 220, 254}), *map);
+  EXPECT_FALSE(drawn.plan.is_solid(1, 0)) << "a drawn map with other greys";
+  EXPECT_THAT(to_string(drawn.warnings), testing::HasSubstr("taken as free"));
   EXPECT_EQ(free_pixels(row_of({0, 205, 254}), "mode: scale\nfree_thresh: 0.25\n"), "011");
 }
 

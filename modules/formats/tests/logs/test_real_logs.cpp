@@ -7,9 +7,9 @@
 #include "aisle/formats/logs/rawlog.hpp"
 #include "aisle/formats/logs/read_laser_recording.hpp"
 #include "aisle/formats/logs/relations.hpp"
-#include "logs/unpacked_file.hpp"
 #include "pose_matchers.hpp"
 #include "real_data.hpp"
+#include "unpacked_file.hpp"
 
 namespace aisle {
 namespace {

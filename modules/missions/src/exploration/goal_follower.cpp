@@ -27,7 +27,7 @@ std::string text_of(const Pose2& T) {
 }  // namespace
 
 Result<std::unique_ptr<GoalFollower>> GoalFollower::make(const GuideNavigatorParams& params,
-                                                         std::string building,
+                                                         const std::string& building,
                                                          const VehicleDescription& vehicle,
                                                          GoalRequests requests) {
   auto parsed = parse_building(building, "building");

@@ -19,10 +19,12 @@ ViewMatch wall_match(const WallLocaliser& localiser) {
   return {seen_m > 0 ? fitting_m / seen_m : 0, fmt::format("{:.1f} of {:.1f} m of wall", fitting_m, seen_m)};
 }
 
+/// @tparam Driver  GuideDriver or GoalFollower
+template <class Driver>
 class GuideMissionRecorder final : public MissionRecorder {
  public:
   GuideMissionRecorder(std::optional<SessionRecord>& session, const Vehicle& vehicle,
-                       const TruthSource* truth, const GuideDriver& driver, GuideMissionResult& result)
+                       const TruthSource* truth, const Driver& driver, GuideMissionResult& result)
       : MissionRecorder(session, vehicle, truth), driver_(driver), result_(result) {}
 
   using MissionRecorder::keep;
@@ -40,7 +42,7 @@ class GuideMissionRecorder final : public MissionRecorder {
   }
 
  private:
-  const GuideDriver& driver_;
+  const Driver& driver_;
   GuideMissionResult& result_;
 };
 

@@ -40,9 +40,9 @@ std::vector<StartSighting> start_view(const LandmarkRun& run, const std::vector<
 /// Of places with the same name, the one that was named last.
 std::vector<MapPlace> places_of(const LandmarkRun& run, const std::vector<Pose2>& T_map_vehicle) {
   std::vector<MapPlace> places;
-  for (const auto& [cycle, name] : run.places) {
-    std::erase_if(places, [&](const MapPlace& place) { return place.name == name; });
-    places.push_back({name, T_map_vehicle[cycle]});
+  for (const auto& named : run.places) {
+    std::erase_if(places, [&](const MapPlace& place) { return place.name == named.name; });
+    places.push_back({named.name, T_map_vehicle[named.cycle]});
   }
   return places;
 }

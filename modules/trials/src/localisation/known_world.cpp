@@ -101,8 +101,8 @@ Building building_of_world(const SimulationSetting& setting, const FreeFloor& fl
   return building;
 }
 
-Building outdated_map_of_world(const SimulationSetting& setting, const FreeFloor& floor, Random random,
-                               Progress& progress) {
+Result<Building> outdated_map_of_world(const SimulationSetting& setting, const FreeFloor& floor,
+                                       Random random, Progress& progress) {
   const World before = with_moved_furniture(setting.world, random);
   const std::vector<Segment2> seen = without_some(seen_in(before, setting), random);
   return building_of_map(drawn(seen, floor), setting.world.name, progress);

@@ -14,8 +14,8 @@ Building building_of_world(const SimulationSetting& setting, const FreeFloor& fl
 
 /// The same as a map with 5 cm cells that somebody made before 5 % of the walls were built and the furniture
 /// was moved.
-Building outdated_map_of_world(const SimulationSetting& setting, const FreeFloor& floor, Random random,
-                               Progress& progress);
+Result<Building> outdated_map_of_world(const SimulationSetting& setting, const FreeFloor& floor,
+                                       Random random, Progress& progress);
 
 /// A pose at which the vehicle fits, on floor that can be reached; the world's start if none is found.
 Pose2 random_pose(const SimulationSetting& setting, const FreeFloor& floor, const Pose2& T_world_start,

@@ -68,12 +68,12 @@ bool is_found_soon(const Json& run) {
          run["distance_m"].get<double>() <= kSoon_m;
 }
 
-double share_of(const Json& runs, bool (*counts)(const Json&)) {
+double share_of_runs(const Json& runs, bool (*counts)(const Json&)) {
   return static_cast<double>(std::count_if(runs.begin(), runs.end(), counts)) /
          static_cast<double>(std::max<std::size_t>(runs.size(), 1));
 }
 
-Json quantiles_of(const Json& runs, const char* figure) {
+Json quantiles_over(const Json& runs, const char* figure) {
   std::vector<double> values;
   for (const Json& run : runs) {
     if (run.contains(figure)) values.push_back(run[figure].get<double>());
@@ -81,14 +81,14 @@ Json quantiles_of(const Json& runs, const char* figure) {
   return {{"median", rounded(quantile(values, 0.5), 4)}, {"worst", rounded(quantile(values, 1), 4)}};
 }
 
-Outcome outcome_of(const TrialOptions& options, const Json& runs) {
+Outcome localisation_outcome(const TrialOptions& options, const Json& runs) {
   const auto wrong =
       std::count_if(runs.begin(), runs.end(), [](const Json& run) { return run["wrong"].get<bool>(); });
   std::size_t collisions = 0;
   for (const Json& run : runs) collisions += run["collisions"].get<std::size_t>();
-  const double found_share =
-      share_of(runs, [](const Json& run) { return run["found"].get<bool>() && !run["wrong"].get<bool>(); });
-  const double soon_share = share_of(runs, is_found_soon);
+  const double found_share = share_of_runs(
+      runs, [](const Json& run) { return run["found"].get<bool>() && !run["wrong"].get<bool>(); });
+  const double soon_share = share_of_runs(runs, is_found_soon);
   Outcome outcome{.verb = "trial", .ok = wrong == 0 && collisions == 0};
   outcome.figures = {{"simulated", true},
                      {"method", options.method},
@@ -99,7 +99,7 @@ Outcome outcome_of(const TrialOptions& options, const Json& runs) {
                      {"wrong_confident", wrong},
                      {"collisions", collisions}};
   for (const char* figure : {"time_s", "distance_m", "error_m", "error_deg", "search_ms"})
-    outcome.figures[figure] = quantiles_of(runs, figure);
+    outcome.figures[figure] = quantiles_over(runs, figure);
   outcome.figures["runs"] = runs;
   outcome.text = fmt::format(
       "simulated: {} missions, {:.1f} % found, {:.1f} % within {:g} s and {:g} m, {} sure of a wrong place\n",
@@ -132,10 +132,11 @@ Result<Json> localise_seed(const TrialOptions& options, const PlaceFinderParams&
                        start->position(), 0.03);
   Random random(seed ^ 0x10ca1);
   const Pose2 T_world_start = random_pose(*setting, floor, *start, random);
-  const Building known = options.outdated_map
-                             ? outdated_map_of_world(*setting, seen, Random(seed ^ 0x01d), progress)
-                             : building_of_world(*setting, seen);
-  const Json run = find_once(params, *setting, known, T_world_start, seed);
+  const Result<Building> known = options.outdated_map
+                                     ? outdated_map_of_world(*setting, seen, Random(seed ^ 0x01d), progress)
+                                     : building_of_world(*setting, seen);
+  if (!known) return known.problems();
+  const Json run = find_once(params, *setting, *known, T_world_start, seed);
   return Json{{"ok", is_found_soon(run)}, {"run", run}};
 }
 
@@ -153,7 +154,7 @@ Result<Outcome> run_localisation_trial(const TrialOptions& options, Console& con
   if (!ran) return ran.problems();
   Json runs = Json::array();
   for (const Json& record : ran->records) runs.push_back(record.at("run"));
-  Outcome outcome = outcome_of(options, runs);
+  Outcome outcome = localisation_outcome(options, runs);
   ran->report(options, outcome);
   return outcome;
 }

@@ -12,7 +12,8 @@ namespace aisle {
 
 /// The walls and the floor that a map shows. A wall is a border of free floor with occupied cells behind it;
 /// where floor borders on what nobody has seen, there is none.
-Building building_of_map(const PlanReading& map, std::string name, Progress& progress);
+/// Problem: it has more corners than any building.
+Result<Building> building_of_map(const PlanReading& map, std::string name, Progress& progress);
 
 /// Reads a building file (JSON), or a map of map_server (YAML), told by the name. Warnings go to the console.
 Result<Building> read_known_building(const std::filesystem::path& file, Console& console);

@@ -14,6 +14,7 @@ struct FrontierParams {
   double uncertain_m = 0.05;  ///< beyond this extra clearance from obstacles there may be floor
   double area_min_m2 = 0.05;  ///< least floor behind a frontier
   double cluster_gap_m = 0.15;
+  double length_max_m = 8;  ///< longer ones are cut, so that one look shows a good part of each
 
   void describe(FieldList& fields);
 };

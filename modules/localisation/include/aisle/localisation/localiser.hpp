@@ -84,13 +84,13 @@ class Localiser {
   LikelihoodPyramid map_;
   LocalView view_;
   LocaliserState state_ = LocaliserState::kSearching;
+  bool hint_was_wrong_ = false;
+  bool has_searched_ = false;
   PlaceSearch last_;                  ///< carried on by odometry
   std::optional<Pose2> T_map_alone_;  ///< the only place that fitted the last view
   std::optional<Pose2> T_map_hint_;
-  bool hint_was_wrong_ = false;
   double searched_path_m_ = 0;
   double searched_turned_rad_ = 0;
-  bool has_searched_ = false;
   UncertainPose2 T_map_vehicle_;
   double explained_share_ = 0;
   double explained_s_ = 0;  ///< when a scan was last explained

@@ -27,18 +27,17 @@ struct TrialOptions {
   ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
   int teachings = 1;    ///< taught runs before the route is driven autonomously (sections)
   int refinements = 0;  ///< runs after the first, each refining the building before the next (landmarks)
-  std::optional<double> speed_mps;
-  bool in_reverse = false;
-  bool close = false;            ///< turnings: pairs that are too close for the vehicle
-  std::optional<double> lift_m;  ///< kidnap: the vehicle is put so far ahead or back on its path (landmarks)
+  int jobs = 0;         ///< missions at a time; 0: as many as the machine has cores
   std::optional<BuildingKind> kind;  ///< of random buildings; none: all kinds in turn
-  double noise_scale = 1;            ///< factor on the odometry's errors (explore)
-  bool outdated_map = false;         ///< localise: in a map with 5 % of walls missing and furniture moved
+  std::optional<double> speed_mps;
+  std::optional<double> lift_m;  ///< kidnap: the vehicle is put so far ahead or back on its path (landmarks)
+  double noise_scale = 1;        ///< factor on the odometry's errors (explore)
+  bool in_reverse = false;
+  bool close = false;         ///< turnings: pairs that are too close for the vehicle
+  bool outdated_map = false;  ///< localise: in a map with 5 % of walls missing and furniture moved
+  bool force = false;         ///< replace what `out` holds
+  std::filesystem::path out;  ///< that keeps the missions, and from which a trial goes on; empty: none
   ParameterSources parameters;
-  int jobs = 0;  ///< missions at a time; 0: as many as the machine has cores
-  std::filesystem::path
-      out;             ///< directory that keeps the missions, and from which a trial goes on; empty: none
-  bool force = false;  ///< replace what `out` holds
   std::vector<std::string> words;  ///< the trial as given on the command line, without seeds, jobs and out
 };
 

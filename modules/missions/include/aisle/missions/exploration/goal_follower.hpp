@@ -25,7 +25,8 @@ class GoalFollower final : public Navigator {
  public:
   /// @param building  a building file's text. The vehicle is believed to be at its home
   /// @return problems as those of GuideDriver::make
-  static Result<std::unique_ptr<GoalFollower>> make(const GuideNavigatorParams& params, std::string building,
+  static Result<std::unique_ptr<GoalFollower>> make(const GuideNavigatorParams& params,
+                                                    const std::string& building,
                                                     const VehicleDescription& vehicle, GoalRequests requests);
 
   GoalFollower(const GuideNavigatorParams& params, const VehicleDescription& vehicle, Building building,
@@ -36,6 +37,7 @@ class GoalFollower final : public Navigator {
   Decision step(const Observation& observation) override;
 
   const GuideNavigator& navigator() const { return navigator_; }
+  bool is_finding() const { return false; }  ///< it begins at home
   std::size_t goals() const { return goals_; }
   std::size_t goals_reached() const { return reached_; }
 
