@@ -43,8 +43,7 @@ Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
   const auto vehicle = taught_vehicle(drive);
   if (!vehicle) return vehicle.problems();
   if (vehicle->cameras.empty())
-    return Problem{{drive.vehicle_file(), 0, "cameras"},
-                   "there is none: nothing can be learned"};
+    return Problem{{drive.vehicle_file(), 0, "cameras"}, "there is none: nothing can be learned"};
   drive.route = options.route;
   if (Problems problems = method.prepare(options, *vehicle, drive); !problems.empty()) return problems;
   auto outcome = run_drive(drive, console);

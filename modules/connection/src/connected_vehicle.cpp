@@ -1,6 +1,5 @@
 #include "aisle/connection/connected_vehicle.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "camera_cycle.hpp"

@@ -10,8 +10,8 @@ namespace aisle {
 namespace {
 
 // So much motion shows in an image; what odometry reports of a vehicle that stands is less.
-constexpr double kMoved_m = 0.02;
-constexpr double kTurned_rad = 0.01;
+constexpr double kShownMotion_m = 0.02;
+constexpr double kShownTurn_rad = 0.01;
 
 /// Of a sample of the image's bytes.
 double mean_level(const Image& image) {
@@ -70,7 +70,7 @@ bool ImageMonitor::is_frozen(const CameraImage& image) {
   const Pose2 T_odom_vehicle = T_odom_taken(image);
   if (shown_ && *shown_ == *image.pixels) {
     const Pose2 T = between(T_odom_shown_, T_odom_vehicle);
-    return T.position().norm() > kMoved_m || std::abs(T.theta) > kTurned_rad;
+    return T.position().norm() > kShownMotion_m || std::abs(T.theta) > kShownTurn_rad;
   }
   shown_ = image.pixels;
   T_odom_shown_ = T_odom_vehicle;

@@ -66,7 +66,7 @@ struct ConnectedOdometry {
   std::string topic = "odom";
   enum class Source { kOdometry, kTransforms, kJointStates } source = Source::kOdometry;
   double silent_max_s = 0.25;  ///< longer: the vehicle stops; four times as long: the mission ends
-  double jump_max_m = 0.2;    ///< between two messages; a longer one is no motion
+  double jump_max_m = 0.2;     ///< between two messages; a longer one is no motion
   std::string left_joint = "left_wheel_joint";  ///< with kJointStates
   std::string right_joint = "right_wheel_joint";
 };
