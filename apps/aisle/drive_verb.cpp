@@ -4,12 +4,13 @@
 #include "live_options.hpp"
 #include "operator_options.hpp"
 #include "option_kinds.hpp"
+#include "vehicle_options.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
 
 void add_drive_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("drive", "drive a simulated vehicle by hand");
+  CLI::App* verb = app.add_subcommand("drive", "drive a simulated vehicle or a robot by hand");
   verb->fallthrough();
   auto options = std::make_shared<DriveOptions>();
   auto operator_options = std::make_shared<OperatorOptions>();
@@ -27,9 +28,10 @@ void add_drive_verb(CLI::App& app, Work& work) {
   add_operator_options(*verb, *operator_options);
   const LiveOption live(*verb);
   verb->add_flag("--no-pictures", *no_images, "do not render camera images (faster)");
+  add_robot(*verb, options->connection, {"WORLD", "--vehicle", "--scenario", "--seed", "--no-pictures"});
   add_parameter_options(*verb, options->parameters, drive_parameters, work, [=, &app, &work] {
-    if (options->world.empty()) throw CLI::RequiredError("WORLD");
-    check_page_driver(*operator_options, live);
+    require_vehicle(options->world, options->connection);
+    check_driver(*operator_options, live, *options);
     options->takes_images = !*no_images;
     options->keys = key_operator(*operator_options, app.count("--quiet") > 0);
     work = live.around([options, operator_options](Console& console, const DriveOptions::KeyOperator& hand) {

@@ -4,6 +4,7 @@
 #include "aisle/commands/explore.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
+#include "vehicle_options.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -13,8 +14,6 @@ void add_explore_verb(CLI::App& app, Work& work) {
       "explore", "explore an unknown building, come home and keep its map: simulated, or with a robot");
   verb->fallthrough();
   auto options = std::make_shared<ExploreOptions>();
-  CLI::Option* const connection = verb->add_option(
-      "--connect", options->connection, "connection file (YAML) of a robot that explores, not simulated");
   verb->add_option("WORLD", options->world,
                    "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");
   add_resolution(*verb, options->plan_pixel_m);
@@ -44,13 +43,12 @@ void add_explore_verb(CLI::App& app, Work& work) {
   verb->add_option("--session", options->session, "directory to record the run in as a session");
   verb->add_option("--resume", options->resumed, "session of an interrupted run to continue");
   verb->add_flag("--force", options->force, "overwrite existing results");
-  for (const char* name :
-       {"WORLD", "--resolution", "--vehicle", "--sensor", "--faults", "--start", "--compare", "--seed"})
-    connection->excludes(verb->get_option(name));
   add_storage(*verb, options->storage);
+  add_robot(*verb, options->connection,
+            {"WORLD", "--resolution", "--vehicle", "--sensor", "--faults", "--start", "--compare", "--seed"});
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, explore_parameters, work, [=, &work] {
-    if (options->world.empty() && options->connection.empty()) throw CLI::RequiredError("WORLD");
+    require_vehicle(options->world, options->connection);
     work = live.around([options](Console& console, const auto&) { return run_explore(*options, console); });
   });
 }

@@ -3,6 +3,7 @@
 #include "aisle/commands/guide.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
+#include "vehicle_options.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -16,8 +17,6 @@ MissionStart parse_told_start(const std::string& text) {
 }
 
 void add_mission_options(CLI::App& verb, GuideOptions& options) {
-  CLI::Option* const connection =
-      verb.add_option("--connect", options.connection, "connection file (YAML) of a robot: not simulated");
   verb.add_option("--world", options.world,
                   "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");
   add_resolution(verb, options.plan_pixel_m);
@@ -39,14 +38,14 @@ void add_mission_options(CLI::App& verb, GuideOptions& options) {
   add_seed(verb, options.seed, "random seed; the same seed gives the same session (default 1)");
   verb.add_option("--out", options.out, "output directory for the session");
   verb.add_flag("--force", options.force, "overwrite an existing session");
-  for (const char* name : {"--world", "--resolution", "--vehicle", "--faults", "--seed", "--start"})
-    connection->excludes(verb.get_option(name));
   add_storage(verb, options.storage);
+  add_robot(verb, options.connection,
+            {"--world", "--resolution", "--vehicle", "--faults", "--seed", "--start"});
 }
 
 void require(const GuideOptions& options) {
   if (options.building.empty()) throw CLI::RequiredError("BUILDING");
-  if (options.world.empty() && options.connection.empty()) throw CLI::RequiredError("--world or --connect");
+  require_vehicle(options.world, options.connection);
 }
 
 void add_go_verb(CLI::App& app, Work& work) {

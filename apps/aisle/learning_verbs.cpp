@@ -7,6 +7,7 @@
 #include "live_options.hpp"
 #include "operator_options.hpp"
 #include "option_kinds.hpp"
+#include "vehicle_options.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -14,7 +15,8 @@ using namespace aisle;
 namespace {
 
 void add_teach_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("teach", "drive a route once by hand and record it for learning");
+  CLI::App* verb = app.add_subcommand(
+      "teach", "drive a route once by hand and record it for learning: simulated, or with a robot");
   verb->fallthrough();
   auto options = std::make_shared<TeachOptions>();
   options->drive.vehicle.clear();
@@ -33,11 +35,12 @@ void add_teach_verb(CLI::App& app, Work& work) {
       "views of a taught place (method route): from the path to it (default), or from a pattern of 63 "
       "poses around it, which a scripted person drives");
   add_operator_options(*verb, *operator_options);
+  add_robot(*verb, options->drive.connection, {"WORLD", "--vehicle", "--seed"});
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->drive.parameters, drive_parameters, work, [=, &app, &work] {
-    if (options->drive.world.empty()) throw CLI::RequiredError("WORLD");
+    require_vehicle(options->drive.world, options->drive.connection);
     if (options->drive.out.empty()) throw CLI::RequiredError("--out");
-    check_page_driver(*operator_options, live);
+    check_driver(*operator_options, live, options->drive);
     options->drive.keys = key_operator(*operator_options, app.count("--quiet") > 0);
     work = live.around([options, operator_options](Console& console, const DriveOptions::KeyOperator& hand) {
       TeachOptions taught = *options;
@@ -63,7 +66,8 @@ void add_learn_verb(CLI::App& app, Work& work) {
 }
 
 void add_navigate_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("navigate", "drive a learned route autonomously (simulated)");
+  CLI::App* verb =
+      app.add_subcommand("navigate", "drive a learned route autonomously: simulated, or with a robot");
   verb->fallthrough();
   auto options = std::make_shared<NavigateOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle learn'");
@@ -84,10 +88,11 @@ void add_navigate_verb(CLI::App& app, Work& work) {
   verb->add_option("--out", options->out, "output directory for the session");
   verb->add_flag("--force", options->force, "overwrite an existing session");
   add_storage(*verb, options->storage);
+  add_robot(*verb, options->connection, {"--world", "--vehicle", "--faults", "--seed"});
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, navigate_parameters, work, [=, &work] {
     if (options->building.empty()) throw CLI::RequiredError("BUILDING");
-    if (options->world.empty()) throw CLI::RequiredError("--world");
+    require_vehicle(options->world, options->connection);
     work = live.around([options](Console& console, const auto&) { return run_navigate(*options, console); });
   });
 }

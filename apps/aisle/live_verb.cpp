@@ -3,13 +3,15 @@
 #include "aisle/live_session/live.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
+#include "vehicle_options.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
 
 void add_live_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
-      "live", "run a simulated vehicle that is watched, driven and sent on missions from a browser");
+      "live",
+      "run a vehicle that is watched, driven and sent on missions from a browser: simulated, or a robot");
   verb->fallthrough();
   auto options = std::make_shared<LiveOptions>();
   auto out = std::make_shared<std::filesystem::path>();
@@ -22,9 +24,11 @@ void add_live_verb(CLI::App& app, Work& work) {
       "output directory: sessions go to DIR/sessions and buildings to DIR/buildings, unless --sessions "
       "and --buildings name others");
   add_listening_options(*verb, options->listening);
+  add_robot(*verb, options->connection, {"WORLD", "--vehicle", "--seed", "--rate"});
   verb->callback([=, &work] {
-    if (options->world.empty()) throw CLI::RequiredError("WORLD");
+    require_vehicle(options->world, options->connection);
     LiveListening& listening = options->listening;
+    if (!options->connection.empty()) listening.rate = 0;  // a robot keeps its own time
     if (listening.sessions.empty() && !out->empty()) listening.sessions = *out / "sessions";
     if (listening.buildings.empty() && !out->empty()) listening.buildings = *out / "buildings";
     work = [options](Console& console) { return run_live(*options, console, announce_live); };

@@ -37,24 +37,38 @@ Result<std::unique_ptr<Operator>> timed_keys(const std::string& file, const Vehi
 void add_operator_options(CLI::App& verb, OperatorOptions& options) {
   add_choice<OperatorKind>(
       verb, "--operator", options.kind,
-      {{"keys", OperatorKind::kKeys}, {"scripted", OperatorKind::kScripted}, {"page", OperatorKind::kPage}},
+      {{"keys", OperatorKind::kKeys},
+       {"scripted", OperatorKind::kScripted},
+       {"page", OperatorKind::kPage},
+       {"joystick", OperatorKind::kJoystick},
+       {"other", OperatorKind::kOther}},
       "who drives. keys: arrow keys, q and space in the terminal, or timed keys from stdin; scripted: "
-      "a scripted person follows the world's tour; page: a person on the page of --live "
+      "a scripted person follows the world's tour; page: a person on the page of --live; with --connect also "
+      "joystick: the robot's joystick, and other: another program, while aisle sends nothing "
       "(default: keys in a terminal, else scripted)");
   verb.add_option("--keys", options.keys,
                   "file of timed key presses, such as '0-3 up'; runs faster than real time");
 }
 
-void check_page_driver(const OperatorOptions& options, const LiveOption& live) {
-  if (options.kind == OperatorKind::kPage && !live.is_wanted())
-    throw CLI::ValidationError("--operator", "page needs --live");
+void check_driver(const OperatorOptions& options, const LiveOption& live, DriveOptions& drive) {
+  const auto refuse = [](const char* what) { throw CLI::ValidationError("--operator", what); };
+  const bool is_robot = !drive.connection.empty();
+  if (options.kind == OperatorKind::kPage && !live.is_wanted()) refuse("page needs --live");
+  drive.by_joystick = options.kind == OperatorKind::kJoystick;
+  drive.only_listens = options.kind == OperatorKind::kOther;
+  if (!is_robot && (drive.by_joystick || drive.only_listens)) refuse("joystick and other need --connect");
+  const bool has_keys = !options.keys.empty() || isatty(STDIN_FILENO) != 0;
+  if (is_robot &&
+      (options.kind == OperatorKind::kScripted || (options.kind == OperatorKind::kAsFits && !has_keys)))
+    refuse("a scripted person cannot drive a robot: keys, joystick, page or other");
 }
 
 DriveOptions::KeyOperator key_operator(const OperatorOptions& options, bool quiet) {
   const auto& [kind, file] = options;
   const bool has_terminal = isatty(STDIN_FILENO) != 0;
+  const bool needs_keys = kind == OperatorKind::kKeys;
   if (kind == OperatorKind::kScripted || kind == OperatorKind::kPage ||
-      (kind == OperatorKind::kAsFits && file.empty() && !has_terminal))
+      (!needs_keys && file.empty() && !has_terminal))
     return {};
   if (!file.empty() || !has_terminal) {
     return [file = options.keys](const VehicleDescription& vehicle, const KeySpeeds& speeds) {

@@ -4,12 +4,14 @@
 #include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "parking_choices.hpp"
+#include "vehicle_options.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
 
 void add_park_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("park", "park at the end of a route through a room (simulated)");
+  CLI::App* verb =
+      app.add_subcommand("park", "park at the end of a route through a room: simulated, or with a robot");
   verb->fallthrough();
   auto options = std::make_shared<ParkOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) with the route");
@@ -34,11 +36,12 @@ void add_park_verb(CLI::App& app, Work& work) {
   verb->add_option("--out", options->out, "output directory for the session");
   verb->add_flag("--force", options->force, "overwrite an existing session");
   add_storage(*verb, options->storage);
+  add_robot(*verb, options->connection, {"--world", "--vehicle", "--faults", "--start", "--seed"});
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, park_parameters, work, [=, &work] {
     if (options->building.empty()) throw CLI::RequiredError("BUILDING");
     if (options->place.empty()) throw CLI::RequiredError("PLACE");
-    if (options->world.empty()) throw CLI::RequiredError("--world");
+    require_vehicle(options->world, options->connection);
     work = live.around([options](Console& console, const auto&) { return run_park(*options, console); });
   });
 }

@@ -12,6 +12,12 @@
 
 namespace robots {
 
+RunningRobot RunningRobot::person(const std::string& world, unsigned domain, bool by_joystick) {
+  std::vector<std::string> arguments = {world, std::to_string(domain)};
+  if (by_joystick) arguments.emplace_back("--joy");
+  return RunningRobot(arguments, ROBOT_PERSON);
+}
+
 RunningRobot::RunningRobot(const std::vector<std::string>& arguments, std::string program) {
   if (program.empty()) program = MUJOCO_ROBOT;
   std::vector<char*> argv = {program.data()};

@@ -8,12 +8,14 @@
 
 namespace robots {
 
-/// A robot's program as a child process: started by the constructor, killed by the destructor, and by the end
-/// of this process.
+/// A program as a child process: started by the constructor, killed by the destructor, and by the end of this
+/// process.
 class RunningRobot {
  public:
   /// @param program  its path; empty: mujoco_robot
   explicit RunningRobot(const std::vector<std::string>& arguments, std::string program = {});
+  /// Starts robot_person: somebody who drives a robot along a world's tour, with /cmd_vel or a joystick.
+  static RunningRobot person(const std::string& world, unsigned domain, bool by_joystick);
   ~RunningRobot();
   RunningRobot(const RunningRobot&) = delete;
   RunningRobot& operator=(const RunningRobot&) = delete;

@@ -1,18 +1,14 @@
 /// The program drives a robot that knows nothing of it: in MuJoCo's physics, over ROS 2, simulated.
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <csignal>
-#include <fstream>
 #include <memory>
 #include <optional>
 
+#include "driven_robot.hpp"
 #include "ros/messages.hpp"
 #include "ros/participant.hpp"
-#include "run_aisle.hpp"
-#include "running_robot.hpp"
-#include "workplace.hpp"
 
 namespace aisle {
 namespace {
@@ -23,42 +19,6 @@ using robots::RunningRobot;
 using testing::HasSubstr;
 
 constexpr double kTimeout_s = 60;
-
-class DrivenRobot : public Workplace {
- protected:
-  std::vector<std::string> robot_arguments(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> all = {"--world",  AISLE_SOURCE_DIR "/worlds/l-corridor.yaml",
-                                    "--domain", domain,
-                                    "--report", at("robot-report.json"),
-                                    "--clock",  "--speed",
-                                    "5"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-
-  /// Writes the connection file as a user would, from the measures of the vehicle.
-  ProgramRun init(const nlohmann::json& ready, const std::vector<std::string>& more = {}) const {
-    const nlohmann::json& footprint = ready["footprint"];
-    Arguments arguments = {"connect",
-                           "init",
-                           "--domain",
-                           domain,
-                           "--out",
-                           connection(),
-                           "--size",
-                           fmt::format("{},{},{}", footprint["front_m"].get<double>(),
-                                       footprint["rear_m"].get<double>(), footprint["width_m"].get<double>()),
-                           "--speed",
-                           "0.4"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_aisle(arguments);
-  }
-
-  nlohmann::json report() const { return nlohmann::json::parse(std::ifstream(at("robot-report.json"))); }
-  std::string connection() const { return at("robot.yaml"); }
-
-  const std::string domain = std::to_string(robots::domain_of_this_process());
-};
 
 /// How far the robot truly is from where it started.
 double off_home_m(const nlohmann::json& report) {

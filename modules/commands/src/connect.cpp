@@ -11,11 +11,11 @@
 
 #include "aisle/commands/connected_robot.hpp"
 #include "aisle/commands/output_directory.hpp"
-#include "aisle/connection/robot_check.hpp"
 #include "aisle/connection/robot_try.hpp"
 #include "aisle/connection/topic_survey.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
+#include "connect_check.hpp"
 
 namespace aisle {
 namespace {
@@ -79,47 +79,6 @@ VehicleDescription any_vehicle() {
   VehicleDescription vehicle;
   vehicle.is_differential = true;
   return vehicle;
-}
-
-nlohmann::ordered_json pace_json(const TopicPace& pace) {
-  return {{"messages", pace.messages},
-          {"rate_hz", rounded(pace.rate_hz(), 2)},
-          {"gap_max_s", rounded(pace.gap_max_s, 3)},
-          {"age_s", rounded(pace.age_mean_s(), 4)},
-          {"age_max_s", rounded(pace.age_max_s, 4)}};
-}
-
-nlohmann::ordered_json scanner_json(const RobotCheck& check) {
-  const LaserScanner& scanner = *check.vehicle.scanner;
-  return {{"beams", check.beams},
-          {"first_angle_deg", rounded(to_degrees(scanner.first_angle_rad), 3)},
-          {"angle_step_deg", rounded(to_degrees(scanner.angle_step_rad), 4)},
-          {"range_max_m", rounded(scanner.range_max_m, 3)},
-          {"x_m", rounded(scanner.T_vehicle_laser.x, 3)},
-          {"y_m", rounded(scanner.T_vehicle_laser.y, 3)},
-          {"heading_deg", rounded(to_degrees(scanner.T_vehicle_laser.theta), 2)},
-          {"upside_down", check.is_upside_down}};
-}
-
-std::string pace_text(const char* name, const TopicPace& pace) {
-  return fmt::format("  {:<10} {:5.1f} a second, longest gap {:.2f} s, {:.3f} s old on arrival\n", name,
-                     pace.rate_hz(), pace.gap_max_s, pace.age_mean_s());
-}
-
-std::string check_text(const RobotCheck& check) {
-  const LaserScanner& scanner = *check.vehicle.scanner;
-  return fmt::format("the robot can be driven; nothing was commanded\n{}{}", pace_text("scans", check.scan),
-                     pace_text("odometry", check.odometry)) +
-         fmt::format(
-             "  scanner    {} beams from {:.1f} in steps of {:.3f} deg, up to {:.1f} m, at x {:.3f} m, "
-             "y {:.3f} m, {:.1f} deg{}\n",
-             check.beams, to_degrees(scanner.first_angle_rad), to_degrees(scanner.angle_step_rad),
-             scanner.range_max_m, scanner.T_vehicle_laser.x, scanner.T_vehicle_laser.y,
-             to_degrees(scanner.T_vehicle_laser.theta), check.is_upside_down ? ", upside down" : "") +
-         fmt::format(
-             "  commands   {}\n  Whether it stops by itself when commands end is found out by 'aisle "
-             "connect try'.\n",
-             check.command_type);
 }
 
 nlohmann::ordered_json pose_json(const Pose2& T) {
@@ -215,16 +174,15 @@ Result<Outcome> run_connect_check(const ConnectOptions& options, Console& consol
   warnings.insert(warnings.end(), check->warnings.begin(), check->warnings.end());
   warn_of(warnings, console);
   Outcome outcome{.verb = "connect check"};
-  outcome.figures = {{"topics", topics_json(around->topics)},  {"scan", pace_json(check->scan)},
-                     {"odometry", pace_json(check->odometry)}, {"scanner", scanner_json(*check)},
-                     {"command_type", check->command_type},    {"counts", counts_json(check->counts)},
-                     {"warnings", warnings_json(warnings)}};
+  outcome.figures = figures_of(*check);
+  outcome.figures["topics"] = topics_json(around->topics);
+  outcome.figures["warnings"] = warnings_json(warnings);
   outcome.text = check_text(*check);
   return outcome;
 }
 
 Result<Outcome> run_connect_try(const ConnectOptions& options, Console& console) {
-  auto robot = connect_robot(options.connection, console);
+  auto robot = connect_robot(options.connection, DrivenBy::kScanner, console);
   if (!robot) return robot.problems();
   const auto tried = try_robot(*(*robot)->vehicle);
   if (!tried) return tried.problems();
@@ -270,10 +228,14 @@ Result<Outcome> run_connect_init(const ConnectInitOptions& options, Console& con
                      {"command", connection->commands.topic},
                      {"warnings", warnings_json(warnings)}};
   outcome.files = std::move(*written);
-  outcome.text =
-      fmt::format("wrote {}: scans {}, odometry {}, commands {}\nnext: aisle connect check --connect {}\n",
-                  options.out.string(), connection->scan.topic, connection->odometry.topic,
-                  connection->commands.topic, options.out.string());
+  std::string cameras;
+  for (const ConnectedCamera& camera : connection->cameras)
+    cameras += fmt::format(", camera '{}' {}", camera.name, camera.topic);
+  outcome.text = fmt::format(
+      "wrote {}: {}odometry {}, commands {}{}\nnext: aisle connect check --connect {}\n",
+      options.out.string(),
+      connection->scan.topic.empty() ? std::string() : fmt::format("scans {}, ", connection->scan.topic),
+      connection->odometry.topic, connection->commands.topic, cameras, options.out.string());
   return outcome;
 }
 

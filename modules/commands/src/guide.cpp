@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "aisle/commands/connected_robot.hpp"
+#include "aisle/commands/driven_vehicle.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/set_down.hpp"
 #include "aisle/connection/robot_goals.hpp"
@@ -16,12 +16,6 @@
 
 namespace aisle {
 namespace {
-
-/// What a mission is driven by, read and checked.
-struct GuideMission {
-  SessionOrigin origin;
-  std::unique_ptr<GuideDriver> driver;
-};
 
 Problems in_file(Problems problems, const std::string& file) {
   for (Problem& problem : problems) {
@@ -41,21 +35,26 @@ Result<SessionOrigin> read_origin(const GuideOptions& options, const std::string
   return GuideDriver::origin(params, std::move(*building), goal, options.told.value_or(elsewhere));
 }
 
-Result<GuideMission> make_mission(const GuideOptions& options, SessionOrigin origin,
-                                  const VehicleDescription& vehicle) {
-  auto driver = GuideDriver::make(origin, vehicle);
-  if (!driver) return in_file(driver.problems(), options.building.string());
-  return GuideMission{std::move(origin), std::move(*driver)};
+/// Sets a simulated vehicle down at home, or where the options say; a robot stands where it stands.
+Problems set_down_at_start(const GuideOptions& options, DrivenVehicle& driven) {
+  SimulationSetting* const setting = driven.setting();
+  if (setting == nullptr) return {};
+  const auto start = start_in(*setting);
+  if (!start) return start.problems();
+  if (options.T_world_start &&
+      !fits(setting->world, setting->vehicle.description.footprint, *options.T_world_start))
+    return {{{"--start"}, "the vehicle does not fit there"}};
+  driven.set_down(options.T_world_start.value_or(set_down_at_home(*setting, *start, options.seed)));
+  return {};
 }
 
-/// @param truth  of the vehicle; null: unknown
-Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, GuideMission& mission,
-                              Vehicle& vehicle, const TruthSource* truth, Console& console) {
-  auto session = open_session(options.out, options.force, options.storage, vehicle, truth, mission.origin,
-                              console.watcher);
+Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, const SessionOrigin& origin,
+                              GuideDriver& driver, DrivenVehicle& driven, Console& console) {
+  Vehicle& vehicle = driven.vehicle();
+  auto session = open_session(options.out, options.force, options.storage, vehicle, driven.truth(), origin,
+                              driven.watcher(console));
   if (!session) return session.problems();
-  GuideDriver& driver = *mission.driver;
-  const auto result = drive_guide_mission(vehicle, truth, driver, *session, console.progress);
+  const auto result = drive_guide_mission(vehicle, driven.truth(), driver, *session, console.progress);
   if (!result) return result.problems();
   if (const Problems problems = close_session(*session); !problems.empty()) return problems;
 
@@ -65,9 +64,7 @@ Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, Gui
   const Goal& sent = driver.goal();
   Outcome outcome{.verb = verb, .ok = result->end.arrived && result->is_unharmed()};
   outcome.figures = known_figures(
-      {{"simulated", result->is_simulated()},
-       {"seed", result->is_simulated() ? nlohmann::ordered_json(options.seed) : nlohmann::ordered_json()},
-       {"arrived", result->end.arrived},
+      {{"arrived", result->end.arrived},
        {"why", result->end.why},
        {"places", sent.p_map_places.size()},
        {"places_reached", navigator.places_reached()},
@@ -80,44 +77,12 @@ Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, Gui
        {"cycle_ms",
         {{"median", rounded(1e3 * quantile(result->cycle_s, 0.5), 3)},
          {"p99", rounded(1e3 * quantile(result->cycle_s, 0.99), 3)}}}});
+  driven.add_to(outcome.figures);
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
   outcome.text = fmt::format("{}{}{}{}; {:.1f} m in {:.0f} s (the shortest path is {:.1f} m){}\n",
                              result->is_simulated() ? "simulated: " : "", result->end.state,
                              result->end.why.empty() ? "" : ": ", result->end.why, result->distance_m(),
                              result->end.duration_s, sent.shortest_m, collisions_text(*result));
-  return outcome;
-}
-
-Result<Outcome> simulate_goal(const char* verb, const GuideOptions& options, SessionOrigin origin,
-                              Console& console) {
-  auto setting = read_setting(options.world, options.vehicle, options.scenario, options.plan_pixel_m);
-  if (!setting) return setting.problems();
-  setting->vehicle.description.cameras.clear();
-  const auto start = start_in(*setting);
-  if (!start) return start.problems();
-  origin.seed = options.seed;
-  auto mission = make_mission(options, std::move(origin), setting->vehicle.description);
-  if (!mission) return mission.problems();
-  for (const std::string& warning : setting->warnings) console.warn(warning);
-  if (options.T_world_start &&
-      !fits(setting->world, setting->vehicle.description.footprint, *options.T_world_start))
-    return Problem{{"--start"}, "the vehicle does not fit there"};
-  SimulatedVehicle vehicle =
-      vehicle_in(*setting, options.T_world_start.value_or(set_down_at_home(*setting, *start, options.seed)),
-                 options.seed);
-  return drive_to_goal(verb, options, *mission, vehicle, &vehicle, console);
-}
-
-Result<Outcome> drive_robot_to_goal(const char* verb, const GuideOptions& options, SessionOrigin origin,
-                                    Console& console) {
-  const auto robot = connect_robot(options.connection, console);
-  if (!robot) return robot.problems();
-  ConnectedVehicle& vehicle = *(*robot)->vehicle;
-  auto mission = make_mission(options, std::move(origin), vehicle.description());
-  if (!mission) return mission.problems();
-  Console watched{console.progress, console.warn, (*robot)->viewer.get()};
-  auto outcome = drive_to_goal(verb, options, *mission, vehicle, nullptr, watched);
-  if (outcome) outcome->figures["connection"] = counts_json(vehicle.counts());
   return outcome;
 }
 
@@ -130,7 +95,7 @@ Result<Outcome> follow_goals_of_robot(const GuideOptions& options, Console& cons
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   auto building = read_whole_file(options.building);
   if (!building) return building.problems();
-  const auto robot = connect_robot(options.connection, console);
+  const auto robot = connect_robot(options.connection, DrivenBy::kScanner, console);
   if (!robot) return robot.problems();
   ConnectedVehicle& vehicle = *(*robot)->vehicle;
   const auto goals = RobotGoals::open(*(*robot)->wire, (*robot)->connection, console.warn);
@@ -165,8 +130,23 @@ Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const st
                          Console& console) {
   auto origin = read_origin(options, goal);
   if (!origin) return origin.problems();
-  return options.connection.empty() ? simulate_goal(verb, options, std::move(*origin), console)
-                                    : drive_robot_to_goal(verb, options, std::move(*origin), console);
+  const auto opened = DrivenVehicle::open({.connection = options.connection,
+                                           .world = options.world,
+                                           .vehicle = options.vehicle,
+                                           .scenario = options.scenario,
+                                           .plan_pixel_m = options.plan_pixel_m,
+                                           .seed = options.seed},
+                                          DrivenBy::kScanner, console);
+  if (!opened) return opened.problems();
+  DrivenVehicle& driven = **opened;
+  if (driven.setting() != nullptr) {
+    driven.setting()->vehicle.description.cameras.clear();
+    origin->seed = options.seed;
+  }
+  const auto driver = GuideDriver::make(*origin, driven.description());
+  if (!driver) return in_file(driver.problems(), options.building.string());
+  if (Problems problems = set_down_at_start(options, driven); !problems.empty()) return problems;
+  return drive_to_goal(verb, options, *origin, **driver, driven, console);
 }
 
 }  // namespace

@@ -13,4 +13,12 @@ Result<const Method*> method_named(const std::string& name) {
   return Problem{{"", 0, "--method"}, fmt::format("'{}' is unknown; there are: {}", name, names)};
 }
 
+VehicleChoice vehicle_choice(const NavigateOptions& options, const Method& method) {
+  return {.connection = options.connection,
+          .world = options.world,
+          .vehicle = method.vehicle_or_usual(options.vehicle),
+          .scenario = options.scenario,
+          .seed = options.seed};
+}
+
 }  // namespace aisle

@@ -36,15 +36,16 @@ void judge_clock(RobotCheck& check, const std::string& topic, const TopicPace& p
                      std::abs(pace.age_min_s), pace.age_min_s > 0 ? "behind" : "ahead of"));
 }
 
-void judge_counts(RobotCheck& check, const std::string& scan_topic) {
+void judge_counts(RobotCheck& check, const std::string& place) {
   const ConnectionCounts& counts = check.counts;
   if (counts.unreadable > 0)
-    warn(check, scan_topic, fmt::format("{} messages could not be read", counts.unreadable));
+    warn(check, place, fmt::format("{} messages could not be read", counts.unreadable));
   if (counts.scans_foreign > 0)
-    warn(check, scan_topic,
-         fmt::format("{} scans have another frame: two scanners publish here", counts.scans_foreign));
+    warn(check, place,
+         fmt::format("{} scans or images have another frame: two sensors publish on one topic",
+                     counts.scans_foreign));
   if (counts.out_of_order > 0)
-    warn(check, scan_topic, fmt::format("{} stamps were not newer than the one before", counts.out_of_order));
+    warn(check, place, fmt::format("{} stamps were not newer than the one before", counts.out_of_order));
   if (counts.odometry_leaps > 0)
     warn(check, "odometry", fmt::format("it leapt {} times", counts.odometry_leaps));
 }
@@ -60,7 +61,8 @@ Result<RobotCheck> check_robot(const Connection& connection, const VehicleDescri
   const double until_s = surroundings.clock.now_s() + listen_s;
   auto lock = (*intake)->lock();
   RobotState& state = (*intake)->state();
-  state.scan_pace = state.odometry_pace = {};
+  state.scan.pace = state.odometry_pace = {};
+  for (ArrivingImages& camera : state.cameras) camera.stream.pace = {};
   const Pose2 T_start = state.trail.at(state.trail.newest_s());
   while (surroundings.clock.now_s() < until_s && state.broken.empty()) {
     lock.unlock();
@@ -72,19 +74,30 @@ Result<RobotCheck> check_robot(const Connection& connection, const VehicleDescri
   RobotCheck check{.vehicle = contact->vehicle,
                    .beams = contact->grid.beams,
                    .is_upside_down = contact->is_upside_down,
-                   .command_type = command_type(contact->commands),
-                   .scan = state.scan_pace,
+                   .command_type = contact->commands ? command_type(*contact->commands) : std::string(),
+                   .scan = state.scan.pace,
                    .odometry = state.odometry_pace,
+                   .cameras = contact->cameras,
                    .counts = state.counts};
-  check.counts.scans_skipped = 0;  // nobody takes scans here
+  check.counts.scans_skipped = check.counts.images_skipped = 0;  // nobody takes them here
   check.standing_m = (state.trail.at(state.trail.newest_s()).position() - T_start.position()).norm();
-  const auto topics = (*intake)->needed_topics();
-  judge_pace(check, topics[0].topic, check.scan, kScanRateMin_hz, connection.scan.silent_max_s);
-  judge_pace(check, topics[1].topic, check.odometry, kOdometryRateMin_hz, connection.odometry.silent_max_s);
-  if (connection.clock == ConnectedClock::kStamps) judge_clock(check, topics[0].topic, check.scan);
-  judge_counts(check, topics[0].topic);
+  const bool has_own_stamps = connection.clock == ConnectedClock::kStamps;
+  if (!connection.scan.topic.empty()) {
+    const std::string& topic = (*intake)->scans().topic;
+    judge_pace(check, topic, check.scan, kScanRateMin_hz, connection.scan.silent_max_s);
+    if (has_own_stamps) judge_clock(check, topic, check.scan);
+  }
+  for (std::size_t i = 0; i < check.cameras.size(); ++i) {
+    SeenCamera& camera = check.cameras[i];
+    camera.pace = state.cameras[i].stream.pace;
+    judge_pace(check, camera.images, camera.pace, kScanRateMin_hz, connection.cameras[i].silent_max_s);
+    if (has_own_stamps) judge_clock(check, camera.images, camera.pace);
+  }
+  const std::string& odometry = (*intake)->odometry().topic;
+  judge_pace(check, odometry, check.odometry, kOdometryRateMin_hz, connection.odometry.silent_max_s);
+  judge_counts(check, connection.file);
   if (check.standing_m > kMoved_m)
-    warn(check, topics[1].topic,
+    warn(check, odometry,
          fmt::format("says that the robot moved by {:.2f} m though nothing was commanded", check.standing_m));
   return check;
 }

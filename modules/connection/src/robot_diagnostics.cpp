@@ -17,16 +17,19 @@ constexpr double kPublishEvery_s = 1;
 std::vector<ros::KeyValue> values_of(const ConnectionCounts& counts) {
   const auto text = [](const auto& value) { return fmt::format("{}", value); };
   const auto seconds = [](double value) { return fmt::format("{:.2f}", value); };
-  return {{"scan age (s)", seconds(counts.scan_age_s)},
-          {"odometry age (s)", seconds(counts.odometry_age_s)},
-          {"messages", text(counts.messages)},
-          {"unreadable", text(counts.unreadable)},
-          {"scans skipped", text(counts.scans_skipped)},
-          {"odometry late", text(counts.odometry_late)},
-          {"odometry leaps", text(counts.odometry_leaps)},
-          {"commands aged", text(counts.commands_aged)},
-          {"holds", text(counts.holds)},
-          {"held (s)", seconds(counts.held_s)}};
+  std::vector<ros::KeyValue> values = {{"odometry age (s)", seconds(counts.odometry_age_s)},
+                                       {"messages", text(counts.messages)},
+                                       {"unreadable", text(counts.unreadable)},
+                                       {"scans skipped", text(counts.scans_skipped)},
+                                       {"images skipped", text(counts.images_skipped)},
+                                       {"odometry late", text(counts.odometry_late)},
+                                       {"odometry leaps", text(counts.odometry_leaps)},
+                                       {"commands aged", text(counts.commands_aged)},
+                                       {"holds", text(counts.holds)},
+                                       {"held (s)", seconds(counts.held_s)}};
+  if (counts.scan_age_s) values.push_back({"scan age (s)", seconds(*counts.scan_age_s)});
+  if (counts.image_age_s) values.push_back({"image age (s)", seconds(*counts.image_age_s)});
+  return values;
 }
 
 }  // namespace

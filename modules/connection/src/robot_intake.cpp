@@ -24,8 +24,6 @@ constexpr int kUnreadableInARow = 10;
 constexpr double kUnreadableShare = 0.01;
 constexpr std::size_t kUnreadableLeast = 10;
 
-using Source = ConnectedOdometry::Source;
-
 /// The clock that machines keep together.
 double wall_clock_s() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -37,29 +35,26 @@ RobotIntake::RobotIntake(const Connection& connection, const VehicleDescription&
     : connection_(connection),
       clock_(clock),
       state_(OdometryTrail(connection.odometry.jump_max_m, vehicle.limits.speed_max_mps)),
-      wheels_(connection.odometry, vehicle.differential) {}
+      wheels_(connection.odometry, vehicle.differential),
+      live_cameras_(connection.cameras.size()),
+      images_(connection.cameras.size()) {
+  state_.cameras.resize(connection.cameras.size());
+}
 
 Result<std::unique_ptr<RobotIntake>> RobotIntake::open(Wire& wire, const Connection& connection,
                                                        const VehicleDescription& vehicle,
                                                        const Clock& clock) {
   auto intake = std::make_unique<RobotIntake>(connection, vehicle, clock);
-  if (Problems problems = intake->subscribe(wire); !problems.empty()) return problems;
+  Problems problems = intake->subscribe(wire);
+  for (std::size_t i = 0; i < connection.cameras.size(); ++i) {
+    for (Problem& problem : intake->open_camera(wire, i, vehicle)) problems.push_back(std::move(problem));
+  }
+  if (!problems.empty()) return problems;
   return intake;
 }
 
-std::vector<NeededTopic> RobotIntake::needed_topics() const {
-  const char* const odometry_type = connection_.odometry.source == Source::kOdometry ? ros::Odometry::kType
-                                    : connection_.odometry.source == Source::kTransforms
-                                        ? ros::TFMessage::kType
-                                        : ros::JointState::kType;
-  const std::string odometry_topic = connection_.odometry.source == Source::kTransforms
-                                         ? std::string("/tf")
-                                         : connection_.topic(connection_.odometry.topic);
-  return {{connection_.topic(connection_.scan.topic), ros::LaserScan::kType},
-          {odometry_topic, odometry_type}};
-}
-
 void RobotIntake::wait(std::unique_lock<std::mutex>& lock, double most_s) {
+  take_live_images();
   arrived_.wait_for(lock, std::chrono::duration<double>(most_s), [this] { return has_news_; });
   has_news_ = false;
 }
@@ -75,86 +70,56 @@ double RobotIntake::now_s() const {
              : clock_.now_s();
 }
 
-Problems RobotIntake::subscribe(Wire& wire) {
-  Problems problems;
-  const auto add = [&](Problems found) { problems.insert(problems.end(), found.begin(), found.end()); };
-  add(subscribe(wire, connection_.topic(connection_.scan.topic), WireQuality::kSensor,
-                &RobotIntake::take_scan));
-  add(subscribe_odometry(wire));
-  add(subscribe(wire, "/tf_static", WireQuality::kLatched, &RobotIntake::take_fixed_transforms));
-  if (connection_.clock == ConnectedClock::kRos)
-    add(subscribe(wire, "/clock", WireQuality::kSensor, &RobotIntake::take_clock));
-  if (!connection_.battery.topic.empty())
-    add(subscribe(wire, connection_.topic(connection_.battery.topic), WireQuality::kSensor,
-                  &RobotIntake::take_battery));
-  add(subscribe_switches(wire, connection_.bumpers, state_.bumpers));
-  add(subscribe_switches(wire, connection_.emergency_stops, state_.emergency_stops));
-  return problems;
-}
-
-template <class Message>
-Problems RobotIntake::subscribe(Wire& wire, const std::string& topic, WireQuality quality,
-                                bool (RobotIntake::*take)(const Message&)) {
-  auto subscription = wire.subscribe(topic, Message::kType, quality, [this, take](std::string_view bytes) {
-    arrive<Message>(bytes, [&](const Message& message) { return (this->*take)(message); });
-  });
-  if (!subscription) return subscription.problems();
-  subscriptions_.push_back(std::move(*subscription));
-  return {};
-}
-
-Problems RobotIntake::subscribe_odometry(Wire& wire) {
-  const std::string topic = needed_topics()[1].topic;
-  if (connection_.odometry.source == Source::kOdometry)
-    return subscribe(wire, topic, WireQuality::kSensor, &RobotIntake::take_odometry);
-  if (connection_.odometry.source == Source::kTransforms)
-    return subscribe(wire, topic, WireQuality::kSensor, &RobotIntake::take_odometry_transforms);
-  return subscribe(wire, topic, WireQuality::kSensor, &RobotIntake::take_wheels);
-}
-
-Problems RobotIntake::subscribe_switches(Wire& wire, const std::vector<ConnectedSwitch>& switches,
-                                         std::vector<SwitchState>& states) {
-  states.resize(switches.size());
-  for (std::size_t i = 0; i < switches.size(); ++i) {
-    // Latched as well: one that was pressed before this program began says so once, if at all.
-    for (const WireQuality quality : {WireQuality::kSensor, WireQuality::kLatched}) {
-      auto subscription = wire.subscribe(connection_.topic(switches[i].topic), ros::Bool::kType, quality,
-                                         [this, &state = states[i]](std::string_view bytes) {
-                                           arrive<ros::Bool>(bytes, [&](const ros::Bool& message) {
-                                             state.is_pressed = message.data;
-                                             state.was_pressed |= message.data;
-                                             state.arrived_s = now_s();
-                                             return true;
-                                           });
-                                         });
-      if (!subscription) return subscription.problems();
-      subscriptions_.push_back(std::move(*subscription));
-    }
-  }
-  return {};
-}
-
-template <class Message, class Take>
-void RobotIntake::arrive(std::string_view bytes, const Take& take) {
-  const auto message = parse_cdr<Message>(bytes);
+void RobotIntake::arrive(const std::string& type, const std::function<bool()>& take) {
   {
     const std::lock_guard lock(mutex_);
-    ConnectionCounts& counts = state_.counts;
-    ++counts.messages;
+    ++state_.counts.messages;
     has_news_ = true;
-    if (message && take(*message)) {
-      state_.unreadable_in_a_row[Message::kType] = 0;
+    if (take()) {
+      state_.unreadable_in_a_row[type] = 0;
     } else {
-      ++counts.unreadable;
-      const bool are_many =
-          counts.unreadable >= kUnreadableLeast &&
-          static_cast<double>(counts.unreadable) > kUnreadableShare * static_cast<double>(counts.messages);
-      if (++state_.unreadable_in_a_row[Message::kType] >= kUnreadableInARow || are_many)
-        be_broken(fmt::format("{} of {} messages cannot be read, the last of them {}", counts.unreadable,
-                              counts.messages, Message::kType));
+      count_unreadable(type);
     }
   }
   arrived_.notify_all();
+}
+
+void RobotIntake::count_unreadable(const std::string& type) {
+  ConnectionCounts& counts = state_.counts;
+  ++counts.unreadable;
+  const bool are_many =
+      counts.unreadable >= kUnreadableLeast &&
+      static_cast<double>(counts.unreadable) > kUnreadableShare * static_cast<double>(counts.messages);
+  if (++state_.unreadable_in_a_row[type] >= kUnreadableInARow || are_many)
+    be_broken(fmt::format("{} of {} messages cannot be read, the last of them {}", counts.unreadable,
+                          counts.messages, type));
+}
+
+bool RobotIntake::is_next(StreamState& stream, const std::string& frame, double stamp_s,
+                          const std::string& name) {
+  if (stream.frame.empty()) stream.frame = frame;
+  if (frame != stream.frame) {
+    ++state_.counts.scans_foreign;
+    return false;
+  }
+  if (stream.newest_s) {
+    const double gap_s = stamp_s - *stream.newest_s;
+    if (gap_s < -kClockJump_s)
+      be_broken(fmt::format("the stamps of {} jumped back by {:.1f} s", name, -gap_s));
+    if (gap_s > kClockJump_s) {
+      ++state_.counts.clock_gaps;
+      note_jump(fmt::format("the stamps of {} jumped ahead by {:.1f} s", name, gap_s));
+    }
+    if (gap_s <= 0) {
+      ++state_.counts.out_of_order;
+      return false;
+    }
+    if (stream.periods_s.size() < kPeriodsKept) stream.periods_s.push_back(gap_s);
+  }
+  stream.newest_s = stream.newest_end_s = stamp_s;
+  stream.arrived_s = now_s();
+  stream.pace.take(now_s(), age_s(stamp_s));
+  return true;
 }
 
 bool RobotIntake::take_scan(const ros::LaserScan& message) {
@@ -163,35 +128,18 @@ bool RobotIntake::take_scan(const ros::LaserScan& message) {
   const double stamp_s = ros::stamp_s(stamp);
   auto scan = bag_scan(message, {.stamp = stamp}, doubts);
   if (!scan || stamp < 0 || end_of_scan_s(*scan) > stamp_s + kSweepMax_s) return false;
-  if (state_.scan_frame.empty()) state_.scan_frame = scan->frame;
-  if (scan->frame != state_.scan_frame) {
-    ++state_.counts.scans_foreign;
-    return true;
-  }
-  if (state_.newest_scan_s) {
-    const double gap_s = stamp_s - *state_.newest_scan_s;
-    if (gap_s < -kClockJump_s)
-      be_broken(fmt::format("the stamps of {} jumped back by {:.1f} s", needed_topics()[0].topic, -gap_s));
-    if (gap_s > kClockJump_s) {
-      ++state_.counts.clock_gaps;
-      note_jump(fmt::format("the stamps of {} jumped ahead by {:.1f} s", needed_topics()[0].topic, gap_s));
-    }
-    if (gap_s <= 0) {
-      ++state_.counts.out_of_order;
-      return true;
-    }
-    if (state_.scan_periods_s.size() < kPeriodsKept) state_.scan_periods_s.push_back(gap_s);
-  }
-  state_.newest_scan_s = stamp_s;
-  state_.newest_scan_end_s = end_of_scan_s(*scan);
-  state_.scan_arrived_s = now_s();
-  state_.scan_pace.take(now_s(), age_s(stamp_s));
+  if (!is_next(state_.scan, scan->frame, stamp_s, scans_.topic)) return true;
+  state_.scan.newest_end_s = end_of_scan_s(*scan);
   state_.scans.push_back(std::move(*scan));
   if (state_.scans.size() > kScansWaiting) {
     state_.scans.pop_front();
     ++state_.counts.scans_skipped;
   }
   return true;
+}
+
+bool RobotIntake::take_joystick(const ros::Joy& message) {
+  return state_.joystick->take(message, now_s());
 }
 
 bool RobotIntake::take_odometry(const ros::Odometry& message) {
@@ -254,7 +202,7 @@ bool RobotIntake::take_base(double stamp_s, const Pose2& T_odom_base) {
   const double now = now_s();
   const double gap_s = state_.trail.empty() ? 0 : stamp_s - state_.trail.newest_s();
   if (std::abs(gap_s) > kClockJump_s) {
-    const std::string jump = fmt::format("the stamps of {} jumped {} by {:.1f} s", needed_topics()[1].topic,
+    const std::string jump = fmt::format("the stamps of {} jumped {} by {:.1f} s", odometry_.topic,
                                          gap_s < 0 ? "back" : "ahead", std::abs(gap_s));
     if (gap_s < 0) be_broken(jump);
     note_jump(jump);
@@ -288,14 +236,14 @@ ros::Stamp_ns RobotIntake::stamp_of(const ros::Header& header) const {
 
 /// By /clock, or by the clock that machines keep together.
 double RobotIntake::age_s(double stamp_s) const {
-  if (connection_.clock == ConnectedClock::kRos) return now_s() - stamp_s;
+  if (connection_.clock == ConnectedClock::kRos) return state_.ros_clock_s.value_or(0) - stamp_s;
   return wall_clock_s() - stamp_s;
 }
 
 double RobotIntake::robot_time_s() const {
   if (connection_.clock == ConnectedClock::kArrival) return wall_clock_s();
-  const double newest_s = std::max(state_.newest_scan_s.value_or(0), state_.trail.newest_s());
-  const double since_s = now_s() - std::max(state_.scan_arrived_s, state_.odometry_arrived_s);
+  const double newest_s = std::max(state_.scan.newest_s.value_or(0), state_.trail.newest_s());
+  const double since_s = now_s() - std::max(state_.scan.arrived_s, state_.odometry_arrived_s);
   return std::max(0.0, newest_s + std::max(0.0, since_s));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "aisle/formats/sessions/ros_messages.hpp"
@@ -15,6 +16,8 @@ namespace {
 constexpr const char* kScan = "scan";
 constexpr const char* kOdometry = "odometry";
 constexpr const char* kCommand = "command";
+constexpr const char* kCamera = "camera";
+constexpr const char* kJoystick = "joystick";
 constexpr const char* kBattery = "battery";
 constexpr const char* kClock = "clock";
 constexpr const char* kEmergencyStop = "emergency stop";
@@ -34,15 +37,12 @@ std::string use_of_switch(const std::string& name) {
 std::string use_of(const SurveyedTopic& topic) {
   if (topic.subscribers > 0 && command_kind(topic.type)) return kCommand;
   if (topic.publishers == 0) return {};
-  static const std::map<std::string, std::string> uses = {{ros::LaserScan::kType, kScan},
-                                                          {ros::Odometry::kType, kOdometry},
-                                                          {ros::JointState::kType, "wheels"},
-                                                          {ros::TFMessage::kType, "transforms"},
-                                                          {ros::Image::kType, "camera"},
-                                                          {ros::CompressedImage::kType, "camera"},
-                                                          {ros::CameraInfo::kType, "calibration"},
-                                                          {ros::BatteryState::kType, kBattery},
-                                                          {ros::Clock::kType, kClock}};
+  static const std::map<std::string, std::string> uses = {
+      {ros::LaserScan::kType, kScan},       {ros::Odometry::kType, kOdometry},
+      {ros::JointState::kType, "wheels"},   {ros::TFMessage::kType, "transforms"},
+      {ros::Image::kType, kCamera},         {ros::CompressedImage::kType, kCamera},
+      {ros::Joy::kType, kJoystick},         {ros::CameraInfo::kType, "calibration"},
+      {ros::BatteryState::kType, kBattery}, {ros::Clock::kType, kClock}};
   if (topic.type == ros::Bool::kType) return use_of_switch(topic.name);
   const auto use = uses.find(topic.type);
   return use == uses.end() ? std::string() : use->second;
@@ -76,6 +76,22 @@ class Choice {
     for (std::size_t i = 1; i < found.size(); ++i) others.push_back(found[i]->name);
     warnings_.push_back(
         {{name}, fmt::format("was taken as the {}; there are also {}", use, fmt::join(others, ", "))});
+  }
+
+  /// All cameras; a camera that sends its images raw and compressed is taken as it sends them raw. The first
+  /// is called as cameras of vehicle files mostly are.
+  void take_cameras(std::vector<ConnectedCamera>& cameras) {
+    std::set<std::string> taken;
+    for (const SurveyedTopic* topic : topics_for(topics_, kCamera)) {
+      ConnectedCamera camera;
+      camera.topic = topic->name;
+      camera.messages = topic->type == ros::Image::kType ? ConnectedCamera::Messages::kImage
+                                                         : ConnectedCamera::Messages::kCompressed;
+      const std::string images = topic->name.substr(0, topic->name.find("/compressed"));
+      if (!taken.insert(images).second) continue;
+      if (!cameras.empty()) camera.name = fmt::format("camera_{}", cameras.size() + 1);
+      cameras.push_back(std::move(camera));
+    }
   }
 
   void take_all(const std::string& use, std::vector<ConnectedSwitch>& switches) {
@@ -120,13 +136,19 @@ std::vector<SurveyedTopic> survey(const std::vector<WireEndpoint>& endpoints) {
 Result<Connection> suggested_connection(const std::vector<SurveyedTopic>& topics, Connection connection,
                                         Problems& warnings) {
   Problems problems;
-  require(topics, kScan, "scans (sensor_msgs/msg/LaserScan)", problems);
+  const bool has_scanner = !topics_for(topics, kScan).empty();
+  if (!has_scanner)
+    require(topics, kCamera, "scans (sensor_msgs/msg/LaserScan) and no camera (Image, CompressedImage)",
+            problems);
   require(topics, kOdometry, "odometry (nav_msgs/msg/Odometry)", problems);
   require(topics, kCommand, "program that reads commands (Twist, TwistStamped, AckermannDriveStamped)",
           problems);
   if (!problems.empty()) return problems;
   Choice choice(topics, warnings);
+  if (!has_scanner) connection.scan.topic.clear();
   choice.take(kScan, connection.scan.topic);
+  choice.take_cameras(connection.cameras);
+  choice.take(kJoystick, connection.joystick.topic);
   choice.take(kOdometry, connection.odometry.topic);
   choice.take(kCommand, connection.commands.topic);
   choice.take(kBattery, connection.battery.topic);

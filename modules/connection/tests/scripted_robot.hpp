@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,9 +35,37 @@ class ScriptedRobot final : public Progress {
     if (script) script();
     if (sends_odometry) tell_odometry();
     if (ticks % 5 == 0 && sends_scans) tell_scan();
+    if (ticks % 5 == 0 && sends_images) tell_image();
+  }
+
+  /// Its grey is how many images came before it.
+  void tell_image() {
+    ros::Image image;
+    image.header = header("camera_optical");
+    image.width = image.step = kImageWidth_px;
+    image.height = kImageHeight_px;
+    image.encoding = image_encoding;
+    image.data.assign(std::size_t{kImageWidth_px} * kImageHeight_px, static_cast<std::uint8_t>(images));
+    ++images;
+    wire.tell("/camera/image_raw", cdr_bytes(image));
+    if (!sends_calibration) return;
+    ros::CameraInfo info;
+    info.header = image.header;
+    info.width = image.width;
+    info.height = image.height;
+    info.distortion_model = "plumb_bob";
+    info.d.resize(5);
+    info.k = {focal_px, 0, 31.5, 0, focal_px, 23.5, 0, 0, 1};
+    wire.tell("/camera/camera_info", cdr_bytes(info));
   }
 
   void tell_mount() {
+    ros::TransformStamped camera;
+    camera.header.frame_id = "base_link";
+    camera.child_frame_id = "camera_optical";
+    camera.transform.translation = {0.2, 0, 0.5};
+    camera.transform.rotation = {-0.5, 0.5, -0.5, 0.5};  // looks ahead
+    if (has_mount) wire.tell("/tf_static", cdr_bytes(ros::TFMessage{{camera}}));
     ros::TransformStamped mount;
     mount.header.frame_id = "base_link";
     mount.child_frame_id = "laser";
@@ -71,6 +100,8 @@ class ScriptedRobot final : public Progress {
   }
   ros::Header header(const std::string& frame) const { return {ros::time_of(ros::stamp_ns(stamp_s)), frame}; }
 
+  static constexpr std::uint32_t kImageWidth_px = 64, kImageHeight_px = 48;
+
   FakeWire wire;
   MovedClock clock;
   double stamp_s = 5000;  // by the robot's clock
@@ -78,6 +109,11 @@ class ScriptedRobot final : public Progress {
   double speed_mps = 0.3;
   bool sends_odometry = true;
   bool sends_scans = true;
+  bool sends_images = false;
+  bool sends_calibration = true;
+  std::string image_encoding = "mono8";
+  double focal_px = 60;
+  int images = 0;  ///< sent so far
   bool has_mount = true;
   bool is_upside_down = false;
   float time_increment_s = 0;

@@ -73,6 +73,14 @@ bool is_line_of_text(const std::string& text) {
   return std::none_of(text.begin(), text.end(), is_control) && YAML::Load(yaml_quoted(text)).Scalar() == text;
 }
 
+bool is_topic_word(std::string_view name) {
+  constexpr std::size_t kLettersMax = 64;
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !name.empty() && name.size() <= kLettersMax && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(),
+                     [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
 void add_duplicate_keys(const YAML::Node& map, ProblemList& problems) {
   std::map<std::string, long> first_lines;
   for (const auto& entry : map) {

@@ -21,6 +21,10 @@ std::string yaml_quoted(const std::string& text);
 /// characters.
 bool is_line_of_text(const std::string& text);
 
+/// Whether a name may be part of a topic's name, as a camera's is: a letter, then letters, digits and _, at
+/// most 64 of them.
+bool is_topic_word(std::string_view name);
+
 /// Adds a problem for every key that a map has twice: YAML readers differ in which of them they take.
 void add_duplicate_keys(const YAML::Node& map, ProblemList& problems);
 

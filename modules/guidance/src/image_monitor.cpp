@@ -1,10 +1,17 @@
 #include "aisle/guidance/image_monitor.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
+#include <iterator>
+
+#include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
 namespace {
+
+// So much motion shows in an image; what odometry reports of a vehicle that stands is less.
+constexpr double kShownMotion_m = 0.02;
+constexpr double kShownTurn_rad = 0.01;
 
 /// Of a sample of the image's bytes.
 double mean_level(const Image& image) {
@@ -22,10 +29,12 @@ void ImageMonitorParams::describe(FieldList& fields) {
   fields.real("bright_level", bright_level, {150, 256}, "mean grey level above which it is washed out");
 }
 
-ImageMonitor::ImageMonitor(const ImageMonitorParams& params, const CameraDescription& camera)
-    : params_(params), camera_(camera) {}
+ImageMonitor::ImageMonitor(const ImageMonitorParams& params, const VehicleDescription& vehicle,
+                           const CameraDescription& camera)
+    : params_(params), vehicle_(vehicle), camera_(camera) {}
 
 const CameraImage* ImageMonitor::look(const Observation& observation) {
+  move(observation);
   const auto found = std::find_if(observation.images.begin(), observation.images.end(),
                                   [&](const CameraImage& image) { return image.camera == camera_.name; });
   if (found == observation.images.end() || !found->pixels) {
@@ -40,13 +49,40 @@ const CameraImage* ImageMonitor::look(const Observation& observation) {
   return &*found;
 }
 
+void ImageMonitor::move(const Observation& observation) {
+  const Pose2 T_odom_before = poses_.empty() ? Pose2{} : poses_.back().T_odom_vehicle;
+  poses_.push_back({observation.stamp_s, T_odom_before * odometry_step(vehicle_, observation.odometry)});
+  const double oldest_s = observation.stamp_s - params_.age_max_s;
+  while (poses_.size() > 1 && poses_[1].stamp_s <= oldest_s) poses_.pop_front();
+}
+
+/// Where the vehicle was when an image was taken, at the end of the cycle before: a late image shows less
+/// motion than the odometry has reported by then.
+Pose2 ImageMonitor::T_odom_taken(const CameraImage& image) const {
+  const auto after = std::find_if(poses_.begin() + 1, poses_.end(),
+                                  [&](const StampedPose& pose) { return pose.stamp_s > image.stamp_s; });
+  return std::prev(after)->T_odom_vehicle;
+}
+
+/// Whether the image is still the same although the vehicle has moved. A vehicle that stops because of that
+/// stays where it is, so this stays true until another image comes.
+bool ImageMonitor::is_frozen(const CameraImage& image) {
+  const Pose2 T_odom_vehicle = T_odom_taken(image);
+  if (shown_ && *shown_ == *image.pixels) {
+    const Pose2 T = between(T_odom_shown_, T_odom_vehicle);
+    return T.position().norm() > kShownMotion_m || std::abs(T.theta) > kShownTurn_rad;
+  }
+  shown_ = image.pixels;
+  T_odom_shown_ = T_odom_vehicle;
+  return false;
+}
+
 /// nullptr if there is none.
 const char* ImageMonitor::fault_of(const CameraImage& image, double now_s) {
   if (now_s - image.stamp_s > params_.age_max_s) return "is late";
   if (image.pixels->width_px != camera_.width_px || image.pixels->height_px != camera_.height_px)
     return "sends images of another size";
-  const std::shared_ptr<const Image> before = std::exchange(last_, image.pixels);
-  if (before && *before == *image.pixels) return "is frozen";
+  if (is_frozen(image)) return "is frozen";
   const double level = mean_level(*image.pixels);
   if (level < params_.dark_level) return "sees no light";
   return level > params_.bright_level ? "is dazzled" : nullptr;

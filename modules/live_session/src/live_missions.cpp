@@ -68,6 +68,7 @@ struct MissionRequest {
 
 DriveOptions hand_drive(const MissionRequest& request, LiveMission& mission) {
   DriveOptions drive;
+  drive.connection = request.live.connection;
   drive.world = request.live.world;
   drive.vehicle = request.vehicle_or_ours();
   drive.seed = request.seed();
@@ -95,6 +96,8 @@ LiveMission teach_mission(const MissionRequest& request) {
   if (const std::string method = request.arguments.text("method"); !method.empty()) options.method = method;
   if (const std::string route = request.arguments.text("route"); !route.empty()) options.route = route;
   mission.is_driven_by_hand = !request.arguments.flag("scripted");
+  if (!mission.is_driven_by_hand && !request.live.connection.empty())
+    request.problems.push_back({{"", 0, "scripted"}, "a scripted person cannot drive a robot"});
   mission.work = [options, by_hand = mission.is_driven_by_hand](Console& console,
                                                                 const DriveOptions::KeyOperator& hand) {
     TeachOptions taught = options;
@@ -118,6 +121,7 @@ LiveMission navigate_mission(const MissionRequest& request) {
   LiveMission mission{.name = "navigate", .session = request.arguments.name("session"), .work = {}};
   NavigateOptions options;
   options.building = request.building();
+  options.connection = request.live.connection;
   options.world = request.live.world;
   options.vehicle = request.vehicle();
   options.seed = request.seed();
@@ -131,6 +135,7 @@ LiveMission navigate_mission(const MissionRequest& request) {
 
 LiveMission explore_mission(const MissionRequest& request) {
   ExploreOptions options;
+  options.connection = request.live.connection;
   options.world = request.live.world;
   options.vehicle = request.vehicle();
   options.seed = request.seed();
@@ -144,6 +149,7 @@ LiveMission explore_mission(const MissionRequest& request) {
 GuideOptions guided(const MissionRequest& request, LiveMission& mission) {
   GuideOptions options;
   options.building = request.building();
+  options.connection = request.live.connection;
   options.world = request.live.world;
   if (const std::string vehicle = request.vehicle(); !vehicle.empty()) options.vehicle = vehicle;
   options.seed = request.seed();
@@ -178,6 +184,7 @@ LiveMission park_mission(const MissionRequest& request) {
   ParkOptions options;
   options.building = request.building();
   options.place = request.arguments.needed_text("place");
+  options.connection = request.live.connection;
   options.world = request.live.world;
   options.vehicle = request.vehicle();
   options.seed = request.seed();
@@ -211,6 +218,7 @@ Result<LiveMission> live_mission(const LiveOptions& live, const nlohmann::json& 
 
 LiveMission live_idling(const LiveOptions& live, const std::optional<Pose2>& T_world_vehicle) {
   DriveOptions options;
+  options.connection = live.connection;
   options.world = live.world;
   options.vehicle = live.vehicle;
   options.seed = live.seed;

@@ -1,11 +1,13 @@
 #include "record.hpp"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace robots {
 namespace {
 
 constexpr double kStanding_mps = 0.005;
+constexpr double kTraceStep_m = 0.05;
 /// A hull that rebounds or scrapes makes one contact until it has been free for so long.
 constexpr double kFree_s = 0.5;
 
@@ -30,6 +32,8 @@ void Record::note(const Cycle& cycle) {
   const double driven_m = std::hypot(T_world_vehicle.x - T_world_end_.x, T_world_vehicle.y - T_world_end_.y);
   T_world_end_ = T_world_vehicle;
   true_path_m_ += driven_m;
+  if (std::hypot(T_world_vehicle.x - trace_.back().x, T_world_vehicle.y - trace_.back().y) > kTraceStep_m)
+    trace_.push_back(T_world_vehicle);
   commanded_path_m_ += std::abs(cycle.commanded_speed_mps) * cycle.duration_s;
   if (driven_m > kStanding_mps * cycle.duration_s) last_motion_s_ = cycle.time_s;
   ++cycles_;
@@ -41,9 +45,12 @@ void Record::note(const Cycle& cycle) {
 }
 
 nlohmann::json Record::report() const {
+  auto trace = nlohmann::json::array();
+  for (const Pose2& pose : trace_) trace.push_back({pose.x, pose.y});
   return {{"true_start", to_json(T_world_start_)},
           {"true_end", to_json(T_world_end_)},
           {"true_path_m", true_path_m_},
+          {"true_trace", std::move(trace)},
           {"commanded_path_m", commanded_path_m_},
           {"contacts", {{"count", contacts_}, {"first_s", or_null(first_contact_s_)}}},
           {"commands", commands_},

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <vector>
 
 #include "pose.hpp"
 
@@ -22,7 +23,8 @@ class Record {
     bool hull_touches = false;
   };
 
-  explicit Record(const Pose2& T_world_start) : T_world_start_(T_world_start), T_world_end_(T_world_start) {}
+  explicit Record(const Pose2& T_world_start)
+      : T_world_start_(T_world_start), T_world_end_(T_world_start), trace_{T_world_start} {}
 
   void note_command(double time_s);
   void note(const Cycle& cycle);
@@ -33,6 +35,7 @@ class Record {
   Pose2 T_world_start_, T_world_end_;
   double true_path_m_ = 0, commanded_path_m_ = 0;
   long commands_ = 0, cycles_ = 0, cycles_without_command_ = 0, contacts_ = 0;
+  std::vector<Pose2> trace_;  ///< every few centimetres
   std::optional<double> last_command_s_, last_motion_s_, first_contact_s_, last_touch_s_;
 };
 

@@ -176,6 +176,7 @@ const std::map<std::string_view, AddEntry> kBuilt = {{"walls", &Builder::add_wal
 World built(const YAML::Node& file) {
   World world;
   world.T_world_start = start_of(file);
+  for (const YAML::Node& place : file["tour"]) world.tour.push_back(point(place));
   world.tile_m = file["floor"] ? number_or(file["floor"], "tile_m", 0.3) : 0.3;
   world.floor_brightness = file["floor"] ? number_or(file["floor"], "brightness", 0.5) : 0.5;
   Builder builder(world, number_or(file, "ceiling_m", 2.7));

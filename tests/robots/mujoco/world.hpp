@@ -25,6 +25,7 @@ struct Solid {
 struct World {
   std::vector<Solid> solids;
   Pose2 T_world_start;
+  std::vector<Pose2> tour;  ///< where a person leads a vehicle; headings are 0
   double tile_m = 0.3;
   double floor_brightness = 0.5;
   std::vector<std::string> left_out;  ///< keys of the file that are none of the above, as "people"

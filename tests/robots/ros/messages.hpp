@@ -112,6 +112,15 @@ struct TFMessage {
   static auto fields(auto& m) { return std::tie(m.transforms); }
 };
 
+struct Joy {
+  static constexpr const char* kType = "sensor_msgs/msg/Joy";
+  Header header;
+  std::vector<float> axes;
+  std::vector<std::int32_t> buttons;
+
+  static auto fields(auto& m) { return std::tie(m.header, m.axes, m.buttons); }
+};
+
 struct JointState {
   static constexpr const char* kType = "sensor_msgs/msg/JointState";
   Header header;

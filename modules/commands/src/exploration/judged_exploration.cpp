@@ -285,7 +285,7 @@ Result<JudgedExploration> explore_with_robot(const ExploreOptions& options, Cons
   const SessionOrigin origin = explorer_origin(params, choice_of(options));
   auto former = former_run(options, origin, false);
   if (!former) return former.problems();
-  auto robot = connect_robot(options.connection, console);
+  auto robot = connect_robot(options.connection, DrivenBy::kScanner, console);
   if (!robot) return robot.problems();
   ConnectedVehicle& vehicle = *(*robot)->vehicle;
   auto session = open_session(options.session, options.force, options.storage, vehicle, nullptr, origin,

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "aisle/commands/driven_vehicle.hpp"
 #include "aisle/commands/learned_files.hpp"
 #include "aisle/commands/method.hpp"
 #include "aisle/commands/set_down.hpp"
@@ -21,10 +22,10 @@ namespace {
 
 /// Everything a mission needs, read and checked.
 struct LandmarkNavigation {
-  SimulationSetting setting;
+  std::unique_ptr<DrivenVehicle> driven;
   SessionOrigin origin;
   std::unique_ptr<LandmarkDriver> driver;
-  MapTruth truth;
+  MapTruth truth;  ///< of a simulated vehicle
 };
 
 /// How the map lies in the world: by the truth that learning wrote beside the building, else the route begins
@@ -37,35 +38,43 @@ Result<MapTruth> map_truth(const NavigateOptions& options, const SimulationSetti
   return MapTruth({Pose2{}}, {*start});
 }
 
-Pose2 route_start_in_world(const LandmarkNavigation& mission, bool in_reverse) {
-  return mission.truth.in_world(mission.driver->path().at(0).T_map_path, mission.truth.start(in_reverse));
+/// Sets a simulated vehicle down at the route's start; a robot stands there.
+Problems set_down_at_start(const NavigateOptions& options, const std::string& camera,
+                           LandmarkNavigation& mission) {
+  SimulationSetting* const setting = mission.driven->setting();
+  if (setting == nullptr) return {};
+  VehicleDescription& vehicle = setting->vehicle.description;
+  std::erase_if(vehicle.cameras, [&](const CameraDescription& seen) { return seen.name != camera; });
+  auto truth = map_truth(options, *setting);
+  if (!truth) return truth.problems();
+  mission.truth = std::move(*truth);
+  const Pose2 T_world_start = mission.truth.in_world(mission.driver->path().at(0).T_map_path,
+                                                     mission.truth.start(options.in_reverse));
+  if (!fits(setting->world, vehicle.footprint, T_world_start))
+    return {{{options.building.string(), 0, "routes"},
+             "the vehicle does not fit at the route's start in this world"}};
+  mission.driven->set_down(set_down_for_landmarks(*setting, T_world_start, options.seed));
+  return {};
 }
 
 Result<LandmarkNavigation> read_navigation(const NavigateOptions& options,
-                                           const LandmarkNavigatorParams& params) {
+                                           const LandmarkNavigatorParams& params, Console& console) {
   const std::string file = options.building.string();
   const auto text = read_whole_file(options.building);
   if (!text) return text.problems();
   const auto building = parse_building(*text, file);
   if (!building) return building.problems();
-  auto setting =
-      read_setting(options.world, kLandmarkMethod.vehicle_or_usual(options.vehicle), options.scenario);
-  if (!setting) return setting.problems();
-  LandmarkNavigation mission{.setting = std::move(*setting), .origin = {}, .driver = {}, .truth = {}};
-  VehicleDescription& vehicle = mission.setting.vehicle.description;
+  auto driven = DrivenVehicle::open(vehicle_choice(options, kLandmarkMethod), DrivenBy::kCameras, console);
+  if (!driven) return driven.problems();
+  LandmarkNavigation mission{.driven = std::move(*driven), .origin = {}, .driver = {}, .truth = {}};
   mission.origin =
       LandmarkDriver::origin(params, {*text, route_name(*building, options.route), options.in_reverse});
   mission.origin.seed = options.seed;
-  auto driver = LandmarkDriver::make(mission.origin, vehicle);
+  auto driver = LandmarkDriver::make(mission.origin, mission.driven->description());
   if (!driver) return at_file(driver.problems(), file);
   mission.driver = std::move(*driver);
-  std::erase_if(vehicle.cameras,
-                [&](const CameraDescription& camera) { return camera.name != building->camera->name; });
-  auto truth = map_truth(options, mission.setting);
-  if (!truth) return truth.problems();
-  mission.truth = std::move(*truth);
-  if (!fits(mission.setting.world, vehicle.footprint, route_start_in_world(mission, options.in_reverse)))
-    return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
+  if (Problems problems = set_down_at_start(options, building->camera->name, mission); !problems.empty())
+    return problems;
   return mission;
 }
 
@@ -82,8 +91,7 @@ Outcome landmark_navigation_outcome(const NavigateOptions& options, const Landma
   const LandmarkMissionResult& result = judged.mission;
   Outcome outcome{.verb = "navigate", .ok = result.end.arrived && result.is_unharmed()};
   outcome.figures = figures_of(judged);
-  outcome.figures["simulated"] = result.is_simulated();
-  outcome.figures["seed"] = options.seed;
+  mission.driven->add_to(outcome.figures);
   outcome.figures["route"] = mission.origin.route;
   outcome.figures["in_reverse"] = options.in_reverse;
   outcome.figures["landmarks"] = mission.driver->building().landmarks.size();
@@ -101,23 +109,20 @@ Result<Outcome> navigate_by_landmarks(const NavigateOptions& options, const Land
                                       Console& console) {
   if (options.and_back)
     return Problem{{"--and-back"}, "is for --method sections; by landmarks the return path is --reverse"};
-  const auto mission = read_navigation(options, params);
+  const auto mission = read_navigation(options, params, console);
   if (!mission) return mission.problems();
-  SimulatedVehicle vehicle =
-      vehicle_in(mission->setting,
-                 set_down_for_landmarks(mission->setting, route_start_in_world(*mission, options.in_reverse),
-                                        options.seed),
-                 options.seed);
-  auto session = open_session(options.out, options.force, options.storage, vehicle, &vehicle, mission->origin,
-                              console.watcher);
+  DrivenVehicle& driven = *mission->driven;
+  auto session = open_session(options.out, options.force, options.storage, driven.vehicle(), driven.truth(),
+                              mission->origin, driven.watcher(console));
   if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();
-  auto driven = drive_landmark_mission(vehicle, &vehicle, *mission->driver, *session, console.progress);
-  if (!driven) return driven.problems();
+  auto ended =
+      drive_landmark_mission(driven.vehicle(), driven.truth(), *mission->driver, *session, console.progress);
+  if (!ended) return ended.problems();
   if (const Problems problems = close_session(*session); !problems.empty()) return problems;
   const JudgedLandmarkMission result =
-      judged(std::move(*driven), mission->truth, mission->driver->path(), options.in_reverse);
+      judged(std::move(*ended), mission->truth, mission->driver->path(), options.in_reverse);
   Outcome outcome = landmark_navigation_outcome(options, *mission, result, clock.now_s() - begun_s);
   if (options.out.empty()) return outcome;
   const std::filesystem::path image = options.out / kDrivenImage;

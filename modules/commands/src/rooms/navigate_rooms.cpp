@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "aisle/commands/driven_vehicle.hpp"
 #include "aisle/commands/learned_files.hpp"
 #include "aisle/commands/method.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/park.hpp"
-#include "aisle/commands/simulation_setting.hpp"
 #include "aisle/evaluation/rooms/room_evaluation.hpp"
 #include "aisle/evaluation/rooms/route_in_world.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
@@ -23,14 +24,19 @@ namespace {
 struct RoomDrive {
   std::filesystem::path building;
   std::string route;
-  std::string world, vehicle, scenario;
+  VehicleChoice vehicle;
   std::optional<ParkingStrategy> parking;  ///< strategy that the route must end with
   std::optional<Pose2> T_world_start;
   std::optional<double> from_end_m;  ///< initial pose so far before the route's end; none: at its start
-  std::uint64_t seed = 1;
   std::filesystem::path out;
   bool force = false;
   SessionStorage storage = SessionStorage::kSqlite;
+};
+
+/// Where a simulated vehicle is due to end.
+struct RoomPlace {
+  const World& world;
+  Pose2 T_world_due;
 };
 
 /// How a route lies in the world: by the truth that learning wrote beside the building, else the route begins
@@ -50,8 +56,6 @@ Outcome room_outcome(const std::string& verb, const RoomDrive& drive, const Rout
   const RoomMissionResult& result = judged.mission;
   Outcome outcome{.verb = verb, .ok = result.parked()};
   outcome.figures = figures_of(judged);
-  outcome.figures["simulated"] = result.is_simulated();
-  outcome.figures["seed"] = drive.seed;
   outcome.figures["route"] = route.name;
   if (!drive.out.empty()) outcome.files["session"] = drive.out.string();
   outcome.text = mission_text(result) + "\n";
@@ -62,6 +66,28 @@ Outcome room_outcome(const std::string& verb, const RoomDrive& drive, const Rout
   return outcome;
 }
 
+/// Sets a simulated vehicle down on its route; a robot stands where it stands, and has no place in a world.
+Result<std::optional<RoomPlace>> set_down_on_its_route(const RoomDrive& drive, const Route& route,
+                                                       RoomDriverParams& params, DrivenVehicle& driven) {
+  SimulationSetting* const setting = driven.setting();
+  if (drive.from_end_m) params.from_m = std::max(0.0, route.path.length_m() - *drive.from_end_m);
+  if (setting == nullptr) return std::optional<RoomPlace>();
+  const auto place = route_in_world(drive.building, route, *setting);
+  if (!place) return place.problems();
+  if (drive.T_world_start) params.from_m = place->along_m(*drive.T_world_start);
+  const Pose2 T_world_start = drive.T_world_start.value_or(place->at(params.from_m));
+  VehicleDescription& vehicle = setting->vehicle.description;
+  if (!fits(setting->world, vehicle.footprint, T_world_start))
+    return Problem{{drive.building.string(), 0, "routes"},
+                   "the vehicle does not fit at its start in this world"};
+  if (vehicle.cameras.size() > 1 && unfit_for_rooms(vehicle, cameras_for(route)).empty())
+    keep_cameras(vehicle, cameras_for(route));
+  driven.set_down(T_world_start);
+  return std::optional(
+      RoomPlace{setting->world, due_end(setting->world, vehicle.footprint, route.room->parking, place->end(),
+                                        params.navigator.frame_backing.wanted)});
+}
+
 Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, RoomDriverParams params,
                            Console& console) {
   const std::string file = drive.building.string();
@@ -69,8 +95,6 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   if (!text) return text.problems();
   const auto building = parse_building(*text, file);
   if (!building) return building.problems();
-  auto setting = read_setting(drive.world, kRoomMethod.vehicle_or_usual(drive.vehicle), drive.scenario);
-  if (!setting) return setting.problems();
   const auto route = find_room_route(*building, drive.route);
   if (!route) return at_file(route.problems(), file);
   if (drive.parking && *drive.parking != route->room->parking)
@@ -78,36 +102,31 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
                    fmt::format("the route '{}' was taught with another parking strategy", route->name)};
   if (params.navigator.frame_backing.wanted && route->room->parking != ParkingStrategy::kFrame)
     return Problem{{"--reverse"}, fmt::format("the route '{}' does not end in a painted frame", route->name)};
-  const auto place = route_in_world(drive.building, *route, *setting);
+  const auto opened = DrivenVehicle::open(drive.vehicle, DrivenBy::kCameras, console);
+  if (!opened) return opened.problems();
+  DrivenVehicle& driven = **opened;
+  const auto place = set_down_on_its_route(drive, *route, params, driven);
   if (!place) return place.problems();
-  if (drive.T_world_start) {
-    params.from_m = place->along_m(*drive.T_world_start);
-  } else if (drive.from_end_m) {
-    params.from_m = std::max(0.0, route->path.length_m() - *drive.from_end_m);
-  }
-  const Pose2 T_world_start = drive.T_world_start.value_or(place->at(params.from_m));
-  VehicleDescription& vehicle = setting->vehicle.description;
   const SessionOrigin origin{.navigator = kRoomNavigator,
                              .parameters = changed_parameters(params),
-                             .seed = drive.seed,
+                             .seed = drive.vehicle.seed,
                              .building = *text,
                              .route = route->name};
-  const auto navigator = make_room_navigator(origin, vehicle);
+  const auto navigator = make_room_navigator(origin, driven.description());
   if (!navigator) return at_file(navigator.problems(), file);
-  keep_cameras(vehicle, cameras_for(*route));
-  if (!fits(setting->world, vehicle.footprint, T_world_start))
-    return Problem{{file, 0, "routes"}, "the vehicle does not fit at its start in this world"};
-  SimulatedVehicle driven = vehicle_in(*setting, T_world_start, drive.seed);
-  auto session =
-      open_session(drive.out, drive.force, drive.storage, driven, &driven, origin, console.watcher);
+  auto session = open_session(drive.out, drive.force, drive.storage, driven.vehicle(), driven.truth(), origin,
+                              driven.watcher(console));
   if (!session) return session.problems();
-  const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end(),
-                                    params.navigator.frame_backing.wanted);
-  auto mission = drive_room_mission(driven, &driven, **navigator, *session, console.progress);
+  auto mission =
+      drive_room_mission(driven.vehicle(), driven.truth(), **navigator, *session, console.progress);
   if (!mission) return mission.problems();
   if (const Problems problems = close_session(*session); !problems.empty()) return problems;
-  return room_outcome(verb, drive, *route,
-                      judged(std::move(*mission), setting->world, vehicle.footprint, T_world_due));
+  const JudgedRoomMission result = *place ? judged(std::move(*mission), (*place)->world,
+                                                   driven.description().footprint, (*place)->T_world_due)
+                                          : JudgedRoomMission{std::move(*mission), std::nullopt};
+  Outcome outcome = room_outcome(verb, drive, *route, result);
+  driven.add_to(outcome.figures);
+  return outcome;
 }
 
 }  // namespace
@@ -120,13 +139,10 @@ Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriv
   return drive_room("navigate",
                     {.building = options.building,
                      .route = options.route,
-                     .world = options.world,
-                     .vehicle = options.vehicle,
-                     .scenario = options.scenario,
+                     .vehicle = vehicle_choice(options, kRoomMethod),
                      .parking = {},
                      .T_world_start = {},
                      .from_end_m = {},
-                     .seed = options.seed,
                      .out = options.out,
                      .force = options.force,
                      .storage = options.storage},
@@ -147,13 +163,14 @@ Result<Outcome> run_park(const ParkOptions& options, Console& console) {
   return drive_room("park",
                     {.building = options.building,
                      .route = options.place,
-                     .world = options.world,
-                     .vehicle = options.vehicle,
-                     .scenario = options.scenario,
+                     .vehicle = {.connection = options.connection,
+                                 .world = options.world,
+                                 .vehicle = kRoomMethod.vehicle_or_usual(options.vehicle),
+                                 .scenario = options.scenario,
+                                 .seed = options.seed},
                      .parking = options.strategy,
                      .T_world_start = options.T_world_start,
                      .from_end_m = kUsualStart_m,
-                     .seed = options.seed,
                      .out = options.out,
                      .force = options.force,
                      .storage = options.storage},

@@ -16,9 +16,15 @@ namespace {
 /// Only the first camera is learned from. A scripted person drives the world's route of that name.
 Problems prepare_for_rooms(const TeachOptions& options, const VehicleDescription& vehicle,
                            DriveOptions& drive) {
-  if (Problems problems = unfit_for_rooms(vehicle, {kFirstCamera}); !problems.empty())
-    return at_file(std::move(problems), drive.vehicle);
+  const auto unfit = [](const VehicleDescription& driven) { return unfit_for_rooms(driven, {kFirstCamera}); };
   drive.camera = kFirstCamera;
+  if (!drive.connection.empty()) {
+    drive.unfit = unfit;  // only the connected robot says how its camera looks
+    if (!options.shows_view_pattern) return {};
+    return {{{"", 0, "--views"}, "only a scripted person can drive the pattern, which is simulated"}};
+  }
+  if (Problems problems = unfit(vehicle); !problems.empty())
+    return at_file(std::move(problems), drive.vehicle_file());
   const auto file = shipped_or_own("worlds", drive.world);
   if (!file) return file.problems();
   const auto world = read_world(*file);

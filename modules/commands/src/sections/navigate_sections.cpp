@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
+#include "aisle/commands/driven_vehicle.hpp"
 #include "aisle/commands/learned_files.hpp"
 #include "aisle/commands/method.hpp"
 #include "aisle/commands/set_down.hpp"
@@ -30,6 +33,23 @@ Result<Pose2> map_about(const Pose2& T_map_place, const NavigateOptions& options
   return start_in(setting);
 }
 
+/// Sets a simulated vehicle down at the route's start; a robot stands there, and has no place in a world.
+Result<std::optional<SectionPlace>> set_down_at_start(const NavigateOptions& options,
+                                                      const Pose2& T_map_start, DrivenVehicle& driven) {
+  SimulationSetting* const setting = driven.setting();
+  if (setting == nullptr) return std::optional<SectionPlace>();
+  VehicleDescription& vehicle = setting->vehicle.description;
+  vehicle.cameras = {CameraDescription(corridor_camera(vehicle))};
+  const auto T_world_map = map_about(T_map_start, options, *setting);
+  if (!T_world_map) return T_world_map.problems();
+  if (!fits(setting->world, vehicle.footprint, *T_world_map * T_map_start))
+    return Problem{{options.building.string(), 0, "routes"},
+                   "the vehicle does not fit at the route's start in this world"};
+  const Pose2 T_world_start = set_down_on_route(*setting, *T_world_map * T_map_start, options.seed);
+  driven.set_down(T_world_start);
+  return std::optional(SectionPlace{setting->world, *T_world_map, T_world_start});
+}
+
 std::string section_mission_text(const JudgedSectionMission& judged, bool and_back) {
   std::string text = mission_text(judged.mission) + "\n";
   if (!judged.errors) return text;
@@ -52,41 +72,35 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   if (!text) return text.problems();
   const auto building = parse_building(*text, file);
   if (!building) return building.problems();
-  auto setting =
-      read_setting(options.world, kSectionMethod.vehicle_or_usual(options.vehicle), options.scenario);
-  if (!setting) return setting.problems();
-  VehicleDescription& vehicle = setting->vehicle.description;
+  const auto opened =
+      DrivenVehicle::open(vehicle_choice(options, kSectionMethod), DrivenBy::kCameras, console);
+  if (!opened) return opened.problems();
+  DrivenVehicle& driven = **opened;
   SessionOrigin origin{.navigator = kSectionNavigator,
                        .parameters = changed_parameters(params),
                        .seed = options.seed,
                        .building = *text,
                        .route = route_name(*building, options.route),
                        .in_reverse = options.in_reverse};
-  const auto navigator = make_section_navigator(origin, vehicle);
+  const auto navigator = make_section_navigator(origin, driven.description());
   if (!navigator) return at_file(navigator.problems(), file);
-  vehicle.cameras = {CameraDescription(corridor_camera(vehicle))};
-  const Pose2 T_map_start = (*navigator)->path().at(0).T_map_path;
-  const auto T_world_map = map_about(T_map_start, options, *setting);
-  if (!T_world_map) return T_world_map.problems();
-  if (!fits(setting->world, vehicle.footprint, *T_world_map * T_map_start))
-    return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
-  const Pose2 T_world_start = set_down_on_route(*setting, *T_world_map * T_map_start, options.seed);
-  SimulatedVehicle driven = vehicle_in(*setting, T_world_start, options.seed);
-  auto session =
-      open_session(options.out, options.force, options.storage, driven, &driven, origin, console.watcher);
+  const auto place = set_down_at_start(options, (*navigator)->path().at(0).T_map_path, driven);
+  if (!place) return place.problems();
+  auto session = open_session(options.out, options.force, options.storage, driven.vehicle(), driven.truth(),
+                              origin, driven.watcher(console));
   if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();
-  auto mission = drive_section_mission(driven, &driven, **navigator, false, *session, console.progress);
+  auto mission =
+      drive_section_mission(driven.vehicle(), driven.truth(), **navigator, false, *session, console.progress);
   if (!mission) return mission.problems();
   if (const Problems problems = close_session(*session); !problems.empty()) return problems;
-  const JudgedSectionMission result =
-      judged(std::move(*mission), **navigator, {setting->world, *T_world_map, T_world_start});
+  const JudgedSectionMission result = *place ? judged(std::move(*mission), **navigator, **place)
+                                             : JudgedSectionMission{std::move(*mission), std::nullopt};
   const MissionEnd& end = result.mission.end;
   Outcome outcome{.verb = "navigate", .ok = end.arrived && result.mission.is_unharmed()};
   outcome.figures = figures_of(result);
-  outcome.figures["simulated"] = result.mission.is_simulated();
-  outcome.figures["seed"] = options.seed;
+  driven.add_to(outcome.figures);
   outcome.figures["route"] = origin.route;
   outcome.figures["in_reverse"] = options.in_reverse;
   outcome.figures["and_back"] = params.and_back;

@@ -8,7 +8,7 @@ namespace {
 
 Problems prepare_for_sections(const TeachOptions&, const VehicleDescription& vehicle, DriveOptions& drive) {
   if (Problems problems = unfit_for_sections(vehicle); !problems.empty())
-    return at_file(std::move(problems), drive.vehicle);
+    return at_file(std::move(problems), drive.vehicle_file());
   drive.camera = corridor_camera(vehicle).name;
   return {};
 }

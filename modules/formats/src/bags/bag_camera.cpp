@@ -1,4 +1,4 @@
-#include "bags/bag_camera.hpp"
+#include "aisle/formats/bags/bag_camera.hpp"
 
 #include <fmt/format.h>
 
@@ -56,17 +56,15 @@ bool is_of_size(const ros::CameraInfo& info, int width_px, int height_px) {
 
 }  // namespace
 
-std::optional<CameraIntrinsics> bag_lens(const BagImages& images, const std::string& topic, int width_px,
+std::optional<CameraIntrinsics> bag_lens(const ros::CameraInfo& info, const std::string& topic, int width_px,
                                          int height_px, Problem warning, Problems& warnings) {
-  if (!images.calibration) return std::nullopt;
-  const ros::CameraInfo& info = *images.calibration;
   CameraDescription camera;
   std::string wrong = set_lens(info, topic.find("rect") != std::string::npos, camera.intrinsics);
   if (wrong.empty()) wrong = outside_ranges(camera);
   if (wrong.empty() && !is_of_size(info, width_px, height_px))
     wrong = fmt::format("it is for other images, of {} x {} pixels", info.width, info.height);
   if (wrong.empty()) return camera.intrinsics;
-  warning.what = "the calibration of the bag is not taken: " + wrong;
+  warning.what = "its calibration is not taken: " + wrong;
   warnings.push_back(std::move(warning));
   return std::nullopt;
 }
@@ -79,10 +77,8 @@ std::optional<CameraMount> bag_mount(const TransformTree& transforms, const std:
   };
   const auto T_base_camera = transforms.find(base, frame);
   if (frame == base || !T_base_camera) {
-    warn(
-        fmt::format("no fixed transforms lead from '{}' to '{}', so the bag does not tell where the camera "
-                    "sits",
-                    base, frame));
+    warn(fmt::format("no fixed transforms lead from '{}' to '{}', so it is not known where the camera sits",
+                     base, frame));
     return std::nullopt;
   }
   Mat3 R_base_camera = T_base_camera->linear();
@@ -98,7 +94,7 @@ std::optional<CameraMount> bag_mount(const TransformTree& transforms, const std:
   }
   const std::string wrong = outside_ranges(camera);
   if (wrong.empty()) return camera.mount;
-  warn("the camera's place by the bag's transforms is not taken: " + wrong);
+  warn("the camera's place by the transforms is not taken: " + wrong);
   return std::nullopt;
 }
 

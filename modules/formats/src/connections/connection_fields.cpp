@@ -9,10 +9,13 @@ namespace {
 
 constexpr int kDomainMax = 101;  // the ports of a larger one are given to other programs by Linux
 constexpr Range kSilence_s = {0.05, 60};
+constexpr Range kControl = {0, 63};  // axes and buttons of a joystick
+constexpr Range kButton = {-1, 63};
 
 constexpr std::array<std::string_view, 3> kClocks = {"stamps", "ros", "arrival"};
 constexpr std::array<std::string_view, 2> kMounts = {"tf", "file"};
 constexpr std::array<std::string_view, 3> kSources = {"odometry", "tf", "joint_states"};
+constexpr std::array<std::string_view, 3> kMessages = {"auto", "image", "compressed"};
 constexpr std::array<std::string_view, 4> kKinds = {"auto", "twist", "twist_stamped", "ackermann"};
 
 }  // namespace
@@ -33,6 +36,20 @@ ObjectFields fields_of(ConnectedScan& scan) {
   return {field::text("topic", scan.topic), field::number("silent_max_s", scan.silent_max_s, kSilence_s)};
 }
 
+ObjectFields fields_of(ConnectedCamera& camera) {
+  CameraSource& source = camera.source;
+  return {field::text("name", camera.name),
+          field::text("topic", camera.topic),
+          field::word("messages", camera.messages, kMessages),
+          field::text("calibration", camera.calibration),
+          field::text("device", source.device),
+          field::text("url", source.url),
+          field::text("folder", source.folder),
+          field::number("rate_hz", source.rate_hz, {0.01, 1000}),
+          field::number("exposure_offset_s", source.exposure_offset_s, {-5, 5}),
+          field::number("silent_max_s", camera.silent_max_s, kSilence_s)};
+}
+
 ObjectFields fields_of(ConnectedOdometry& odometry) {
   return {field::text("topic", odometry.topic),
           field::word("from", odometry.source, kSources),
@@ -49,6 +66,18 @@ ObjectFields fields_of(ConnectedSwitch& bumper_or_stop) {
 
 ObjectFields fields_of(ConnectedBattery& battery) {
   return {field::text("topic", battery.topic), field::number("charge_min", battery.charge_min, {0, 1})};
+}
+
+ObjectFields fields_of(ConnectedJoystick& joystick) {
+  return {field::text("topic", joystick.topic),
+          field::count("dead_man_button", joystick.dead_man_button, kControl),
+          field::count("speed_axis", joystick.speed_axis, kControl),
+          field::count("turn_axis", joystick.turn_axis, kControl),
+          field::count("place_button", joystick.place_button, kButton),
+          field::count("end_button", joystick.end_button, kButton),
+          field::number("speed_mps", joystick.speed_mps, {0.01, 10}),
+          field::angle("turn_rate_deg_s", joystick.turn_rate_rad_s, {1, 1000}),
+          field::angle("steering_deg", joystick.steering_rad, {1, 89})};
 }
 
 ObjectFields fields_of(ConnectedCommands& commands) {

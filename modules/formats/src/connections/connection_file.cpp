@@ -17,7 +17,7 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kPeersMax = 32;
-constexpr std::size_t kSwitchesMax = 16;
+constexpr std::size_t kListedMax = 16;
 constexpr std::string_view kHeader = "format: aisle.connection\nversion: 1\n";
 
 /// Reads one document.
@@ -49,9 +49,9 @@ class ConnectionReader {
                             nodes_.read_map(node, key, fields_of(object));
                           }});
     });
-    for_each_switches(connection_, [&](std::string_view name, auto& switches) {
-      sections.push_back({name, [this, &switches](const YAML::Node& node, const std::string& key) {
-                            read_switches(node, key, switches);
+    for_each_list(connection_, [&](std::string_view name, auto& listed) {
+      sections.push_back({name, [this, &listed](const YAML::Node& node, const std::string& key) {
+                            read_list(node, key, listed);
                           }});
     });
     return sections;
@@ -75,12 +75,36 @@ class ConnectionReader {
     connection_.network.peers = std::move(peers);
   }
 
-  void read_switches(const YAML::Node& node, const std::string& key, std::vector<ConnectedSwitch>& switches) {
-    if (!nodes_.is_list(node, key) || !nodes_.is_room_left(node, key, node.size(), kSwitchesMax)) return;
+  template <class Object>
+  void read_list(const YAML::Node& node, const std::string& key, std::vector<Object>& listed) {
+    if (!nodes_.is_list(node, key) || !nodes_.is_room_left(node, key, node.size(), kListedMax)) return;
     for (std::size_t i = 0; i < node.size(); ++i) {
-      ConnectedSwitch read;
-      nodes_.read_map(node[i], fmt::format("{}[{}]", key, i), fields_of(read));
-      switches.push_back(std::move(read));
+      Object read;
+      const std::string place = fmt::format("{}[{}]", key, i);
+      nodes_.read_map(node[i], place, fields_of(read));
+      check(node[i], place, read);
+      listed.push_back(std::move(read));
+    }
+  }
+
+  void check(const YAML::Node& /*node*/, const std::string& /*key*/, const ConnectedSwitch& /*read*/) {}
+
+  /// A camera's name is part of a topic's name, and each has its own.
+  void check(const YAML::Node& node, const std::string& key, ConnectedCamera& camera) {
+    if (!is_topic_word(camera.name))
+      nodes_.problem(node, key + ".name", "is not a camera name: a letter, then letters, digits and _");
+    for (const ConnectedCamera& other : connection_.cameras) {
+      if (other.name == camera.name)
+        nodes_.problem(node, key + ".name", fmt::format("'{}' is the name of two cameras", camera.name));
+    }
+    std::size_t given = camera.topic.empty() ? 0 : 1;
+    for (const CameraSource::Origin& origin : camera.source.origins()) given += origin.text->empty() ? 0 : 1;
+    if (given != 1) {
+      nodes_.problem(node, key,
+                     fmt::format("{} of topic, device, url and folder are given, instead of one", given));
+    } else if (camera.topic.empty()) {
+      for (const Problem& problem : camera.source.problems())
+        nodes_.problem(node, key + "." + problem.where.key, problem.what);
     }
   }
 
@@ -135,6 +159,19 @@ std::string Connection::topic(const std::string& name) const {
   return space + "/" + name;
 }
 
+bool ConnectedCamera::has_compressed_images() const {
+  return messages == Messages::kCompressed || (messages == Messages::kAuto && topic.ends_with("/compressed"));
+}
+
+/// As image_transport has it: /front/camera_info of /front/image_raw and /front/image_raw/compressed.
+std::string ConnectedCamera::calibration_topic() const {
+  if (!calibration.empty()) return calibration;
+  constexpr std::string_view kCompressed = "/compressed";
+  std::string images = topic;
+  if (images.ends_with(kCompressed)) images.resize(images.size() - kCompressed.size());
+  return images.substr(0, images.rfind('/') + 1) + "camera_info";
+}
+
 Result<Connection> read_connection(const std::filesystem::path& path) {
   const Result<std::string> text = read_whole_file(path, kSettingsBytesMax);
   if (!text) return text.problems();
@@ -157,8 +194,8 @@ std::string connection_yaml(const Connection& connection) {
   text += network_text(connection.network);
   for_each_object(connection,
                   [&](std::string_view key, const auto& object) { text += block_text(key, object); });
-  for_each_switches(connection,
-                    [&](std::string_view key, const auto& switches) { text += yaml_list(key, switches); });
+  for_each_list(connection,
+                [&](std::string_view key, const auto& listed) { text += yaml_list(key, listed); });
   return text;
 }
 

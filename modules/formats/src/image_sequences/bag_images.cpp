@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "aisle/core/median.hpp"
+#include "aisle/formats/bags/bag_camera.hpp"
+#include "aisle/formats/bags/bag_image.hpp"
 #include "aisle/vehicle/odometry_track.hpp"
-#include "bags/bag_camera.hpp"
 #include "bags/bag_recording.hpp"
 #include "image_sequences/stamp_order.hpp"
 #include "image_sequences/usable_images.hpp"
-#include "sessions/ros_image.hpp"
 
 namespace aisle {
 namespace {
@@ -100,19 +100,10 @@ class BagImageSequence final : public UsableImages {
     return std::optional<Candidate>();
   }
 
-  /// What a compressed image is shows in its bytes; its format's name is written in many ways.
   Result<UsableImage> decoded(std::string_view bytes, const Place& place) const {
-    const std::string name = to_string(Problem{place, "an image"});
-    if (topic().type == ros::Image::kType) {
-      const auto message = parse_message<ros::Image>(bytes, topic().encoding);
-      if (!message) return Problem{place, "is cut off"};
-      const auto pixels = image_of(*message, place);
-      if (!pixels) return pixels.problems();
-      return usable_pixels(*pixels, name);
-    }
-    const auto message = parse_message<ros::CompressedImage>(bytes, topic().encoding);
-    if (!message) return Problem{place, "is cut off"};
-    return usable_file({reinterpret_cast<const char*>(message->data.data()), message->data.size()}, name);
+    const auto image = bag_image(bytes, topic().type, topic().encoding, place);
+    if (!image) return image.problems();
+    return usable(image->pixels, image->file, to_string(Problem{place, "an image"}));
   }
 
   const BagTopic& topic() const { return bag_.topics()[topic_]; }
@@ -158,10 +149,11 @@ Result<std::unique_ptr<ImageSequence>> open_bag_images(const std::filesystem::pa
                         "has no odometry: nothing that needs it, such as aisle learn, works with this "
                         "recording"});
   const Problem about_camera{{file, 0, topic}, {}};
+  std::optional<CameraIntrinsics> lens;
+  if (const auto& info = recording->images.calibration)
+    lens = bag_lens(*info, topic, sequence->width_px(), sequence->height_px(), about_camera, warnings);
   sequence->set_camera(
-      {topic,
-       bag_lens(recording->images, topic, sequence->width_px(), sequence->height_px(), about_camera,
-                warnings),
+      {topic, lens,
        bag_mount(recording->transforms, recording->base, recording->images.frame, about_camera, warnings)});
   if (!choice->scans.empty()) sequence->set_scans(std::move(recording->lasers));
   for (Problem& warning : choices) sequence->warn(std::move(warning));

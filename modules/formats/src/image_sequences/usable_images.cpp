@@ -30,14 +30,13 @@ Problems check_sides(const Image& image, const std::string& name) {
 Result<UsableImage> usable_file(std::string_view bytes, const std::string& name) {
   const auto pixels = parse_image(bytes, name);
   if (!pixels) return pixels.problems();
-  if (!is_jpeg_or_png(bytes)) return usable_pixels(*pixels, name);
-  if (Problems problems = check_sides(*pixels, name); !problems.empty()) return problems;
-  return UsableImage{std::string(bytes), pixels->width_px, pixels->height_px};
+  return usable(*pixels, bytes, name);
 }
 
-Result<UsableImage> usable_pixels(const Image& image, const std::string& name) {
+Result<UsableImage> usable(const Image& image, std::string_view file, const std::string& name) {
   if (Problems problems = check_sides(image, name); !problems.empty()) return problems;
-  return UsableImage{png_bytes(image), image.width_px, image.height_px};
+  return UsableImage{is_jpeg_or_png(file) ? std::string(file) : png_bytes(image), image.width_px,
+                     image.height_px};
 }
 
 void UsableImages::leave_out(const std::string& kind, const LeftOut& several) {

@@ -23,8 +23,8 @@ struct UsableImage {
 /// file has, is a problem. @param name  the file's, in problems
 Result<UsableImage> usable_file(std::string_view bytes, const std::string& name);
 
-/// The same of pixels, as PNG.
-Result<UsableImage> usable_pixels(const Image& image, const std::string& name);
+/// The same of an image that is decoded. @param file  its bytes; empty: it was never a file
+Result<UsableImage> usable(const Image& image, std::string_view file, const std::string& name);
 
 /// A sequence of the images that can be used and have the first one's size. What is left out is counted and
 /// told by kinds.

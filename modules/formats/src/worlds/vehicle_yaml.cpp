@@ -22,14 +22,6 @@ namespace {
 constexpr std::size_t kCamerasMax = 16;
 constexpr std::size_t kNameMax = 64;
 
-/// A camera's name is part of a topic's name.
-bool is_topic_word(std::string_view name) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  return !name.empty() && name.size() <= kNameMax && is_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(),
-                     [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
-}
-
 using OtherLenses = std::deque<OtherLens>;
 
 /// @param lenses  takes those that the fields need

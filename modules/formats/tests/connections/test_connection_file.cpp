@@ -44,6 +44,13 @@ TEST(ConnectionFile, WhatIsWrittenIsReadAgain) {
   connection.frames = {"chassis", "odometry", ConnectedFrames::Mounts::kFile, {-0.125, 0.05}};
   connection.scan = {"front/scan", 0.5};
   connection.odometry = {"wheels", ConnectedOdometry::Source::kJointStates, 0.25, 0.1, "l", "r"};
+  ConnectedCamera topic{.name = "front", .topic = "camera/image_raw", .calibration = "camera/lens"};
+  topic.messages = ConnectedCamera::Messages::kCompressed;
+  ConnectedCamera folder{.name = "rear", .silent_max_s = 3};
+  folder.source.folder = "images";
+  folder.source.rate_hz = 5;
+  connection.cameras = {topic, folder};
+  connection.joystick = {"pad", 5, 2, 3, -1, 7, 0.25, 40 * kDegree, 20 * kDegree};
   connection.bumpers = {{"bumper", 1}};
   connection.emergency_stops = {{"stop", 0}, {"platform/stop", 2}};
   connection.battery = {"battery", 0.3};
@@ -59,6 +66,37 @@ TEST(ConnectionFile, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(again->commands.kind, ConnectedCommands::Kind::kAckermann);
   EXPECT_NEAR(again->limits.turn_rate_max_rad_s, 30 * kDegree, 1e-9);
   EXPECT_EQ(again->emergency_stops.size(), 2U);
+  ASSERT_EQ(again->cameras.size(), 2U);
+  EXPECT_EQ(again->cameras[0].topic, "camera/image_raw");
+  EXPECT_TRUE(again->cameras[0].has_compressed_images());
+  EXPECT_EQ(again->cameras[1].source.folder, "images");
+  EXPECT_EQ(again->cameras[1].source.rate_hz, 5);
+  EXPECT_EQ(again->joystick.end_button, 7);
+}
+
+TEST(ConnectionFile, ACamerasCalibrationIsBesideItsImagesUnlessItIsNamed) {
+  ConnectedCamera camera{.topic = "front/image_raw/compressed"};
+  EXPECT_EQ(camera.calibration_topic(), "front/camera_info");
+  EXPECT_TRUE(camera.has_compressed_images());
+  camera.topic = "/image";
+  EXPECT_EQ(camera.calibration_topic(), "/camera_info");
+  EXPECT_FALSE(camera.has_compressed_images());
+  camera.calibration = "lens";
+  EXPECT_EQ(camera.calibration_topic(), "lens");
+}
+
+TEST(ConnectionFile, ACameraHasOneOriginAndANameOfItsOwn) {
+  const std::string problems = all_problems(std::string(kConnectionHead) +
+                                            "cameras:\n"
+                                            "  - {topic: a, device: /dev/video0}\n"
+                                            "  - {name: front}\n"
+                                            "  - {name: a/b, topic: c}\n"
+                                            "  - {name: net, url: ftp://there}\n");
+  EXPECT_THAT(problems, HasSubstr("robot.yaml:5: cameras[0]: 2 of topic, device, url and folder are given"));
+  EXPECT_THAT(problems, HasSubstr("robot.yaml:6: cameras[1].name: 'front' is the name of two cameras"));
+  EXPECT_THAT(problems, HasSubstr("cameras[1]: 0 of topic, device, url and folder"));
+  EXPECT_THAT(problems, HasSubstr("cameras[2].name: is not a camera name"));
+  EXPECT_THAT(problems, HasSubstr("cameras[3].url: does not begin with rtsp://"));
 }
 
 TEST(ConnectionFile, AFileOfVersion1IsReadAndWrittenAsItIs) {

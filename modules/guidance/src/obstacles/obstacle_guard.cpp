@@ -39,7 +39,7 @@ ObstacleGuard::ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGu
                              const CameraDescription* camera)
     : vehicle_(vehicle), params_(params), memory_(params.memory) {
   if (camera == nullptr) return;
-  monitor_.emplace(params.images, *camera);
+  monitor_.emplace(params.images, vehicle, *camera);
   if (vehicle.laser_markers) {
     stripe_.emplace(params.stripes, camera->intrinsics, camera->mount, camera->width_px, camera->height_px,
                     vehicle.laser_markers->height_m);

@@ -95,7 +95,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       vehicle_(vehicle),
       route_(room_route(std::move(route))),
       view_(first_view(params, vehicle)),
-      monitor_(params.images, room_camera(vehicle, kFirstCamera)),
+      monitor_(params.images, vehicle, room_camera(vehicle, kFirstCamera)),
       edges_(kReach_m),
       place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),

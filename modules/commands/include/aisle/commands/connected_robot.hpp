@@ -23,9 +23,19 @@ struct ConnectedRobot {
   std::unique_ptr<RobotViewer> viewer;  ///< last: each uses what stands before it
 };
 
+/// The sensors by which a mission drives. Nothing else is listened to, and each ends the mission's cycles.
+enum class DrivenBy { kScanner, kCameras };
+
 /// Connects to the robot of a connection file. Holding and going on are said as warnings.
 Result<std::unique_ptr<ConnectedRobot>> connect_robot(const std::filesystem::path& connection_file,
-                                                      Console& console);
+                                                      DrivenBy sensors, Console& console);
+
+/// The part of a connection that a mission uses: its sensors, and no joystick.
+/// @return problems if there are no such sensors
+Result<Connection> reduced_to(DrivenBy sensors, Connection connection);
+
+/// The same with a connection that has been read.
+Result<std::unique_ptr<ConnectedRobot>> connect_robot(Connection connection, Console& console);
 
 /// The part of the network that a connection names.
 WireSettings wire_settings(const ConnectedNetwork& network);

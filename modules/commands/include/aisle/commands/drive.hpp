@@ -38,19 +38,29 @@ struct DriveOptions {
   std::string route;                   ///< name of the driven route in the session; may be empty
   std::optional<Pose2> T_world_start;  ///< none: the world's start
   std::uint64_t seed = 1;
-  std::filesystem::path out;  ///< directory of the session; empty: not recorded
+  std::filesystem::path connection;  ///< connection file of a robot; empty: simulated
+  bool by_joystick = false;          ///< a robot: its joystick drives, beside `keys`
+  bool only_listens = false;         ///< a robot: another program drives it, and nothing is sent
+  std::filesystem::path out;         ///< directory of the session; empty: not recorded
   bool force = false;
   SessionStorage storage = SessionStorage::kSqlite;
   bool takes_images = true;
   ParameterSources parameters;
 
-  /// Makes the operator at the keys; null: a scripted person follows the world's tour.
+  /// What keeps a robot from what is driven for, asked when it has said all of itself; null: nothing does.
+  std::function<Problems(const VehicleDescription&)> unfit;
+
+  /// The file that says what the vehicle is.
+  std::string vehicle_file() const { return connection.empty() ? vehicle : connection.string(); }
+
+  /// Makes the operator at the keys; null: a scripted person follows the world's tour, and a robot has nobody
+  /// at the keys.
   using KeyOperator =
       std::function<Result<std::unique_ptr<Operator>>(const VehicleDescription&, const KeySpeeds&)>;
   KeyOperator keys;
 };
 
-/// `aisle drive WORLD`: a person drives a simulated vehicle.
+/// `aisle drive WORLD`: a person drives a simulated vehicle, or a robot.
 Result<Outcome> run_drive(const DriveOptions& options, Console& console);
 
 /// Every parameter of `aisle drive` with its default.

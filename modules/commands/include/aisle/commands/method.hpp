@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "aisle/commands/driven_vehicle.hpp"
 #include "aisle/commands/learn_options.hpp"
 #include "aisle/commands/method_params.hpp"
 #include "aisle/commands/navigate_options.hpp"
@@ -30,6 +31,9 @@ struct Method {
     return vehicle.empty() ? usual_vehicle : vehicle;
   }
 };
+
+/// The vehicle that is to drive a learned route.
+VehicleChoice vehicle_choice(const NavigateOptions& options, const Method& method);
 
 /// Each is in the folder of its method.
 extern const Method kLandmarkMethod;

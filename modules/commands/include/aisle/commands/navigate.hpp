@@ -5,7 +5,8 @@
 
 namespace aisle {
 
-/// `aisle navigate BUILDING --world WORLD`: drives a learned route autonomously in the simulator. The outcome
+/// `aisle navigate BUILDING --world WORLD`: drives a learned route autonomously, in the simulator or
+/// with a robot. The outcome
 /// is ok if the vehicle arrived without a collision.
 Result<Outcome> run_navigate(const NavigateOptions& options, Console& console);
 

@@ -12,6 +12,7 @@ namespace aisle {
 
 struct NavigateOptions {
   std::filesystem::path building;
+  std::filesystem::path connection;  ///< connection file of a robot; empty: simulated
   std::string world;
   std::string vehicle;   ///< empty: the method's default, alv or mini (sections)
   std::string scenario;  ///< file or shipped name; empty: no faults

@@ -14,7 +14,8 @@ namespace aisle {
 
 struct ParkOptions {
   std::filesystem::path building;
-  std::string place;  ///< name of the route that ends there
+  std::string place;                 ///< name of the route that ends there
+  std::filesystem::path connection;  ///< connection file of a robot; empty: simulated
   std::string world;
   std::string vehicle;                      ///< empty: alv
   std::string scenario;                     ///< file or shipped name; empty: no faults
@@ -28,7 +29,8 @@ struct ParkOptions {
   ParameterSources parameters;
 };
 
-/// `aisle park BUILDING PLACE --world WORLD`: parks at the end of a taught route in the simulator.
+/// `aisle park BUILDING PLACE --world WORLD`: parks at the end of a taught route, in the
+/// simulator or with a robot.
 Result<Outcome> run_park(const ParkOptions& options, Console& console);
 
 /// Every parameter of `aisle park` with its default.

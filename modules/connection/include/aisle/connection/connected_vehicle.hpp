@@ -28,9 +28,11 @@ class ConnectedVehicle final : public Vehicle {
     std::function<void(const std::string&)> note;  ///< "held: the emergency stop is pressed"; never empty
   };
 
-  /// Waits up to 10 s for scans, odometry, the scanner's mount and somebody who reads the commands.
-  /// @param vehicle  from the vehicle file; its scanner is replaced by the robot's, unless the mounts are of
-  ///                 the file; its limits by those of the connection
+  /// Waits up to 10 s for scans, images, odometry, the sensors' mounts, the cameras' lenses and somebody who
+  /// reads the commands. What the connection leaves empty is not there: without a topic of scans there is no
+  /// scanner, without one of commands nothing is sent, without one of a joystick nobody drives by one.
+  /// @param vehicle  from the vehicle file; its scanner and cameras are replaced by the connection's, unless
+  ///                 the mounts are of the file; its limits by those of the connection
   /// @return problems, each with what there is instead. Nothing has been commanded then
   static Result<std::unique_ptr<ConnectedVehicle>> connect(const Connection& connection,
                                                            const VehicleDescription& vehicle,
@@ -39,12 +41,13 @@ class ConnectedVehicle final : public Vehicle {
   ConnectedVehicle(const ConnectedVehicle&) = delete;
   ConnectedVehicle& operator=(const ConnectedVehicle&) = delete;
 
-  /// Scanner, limits and cycle are those of the robot.
+  /// Sensors, limits and cycle are those of the robot.
   const VehicleDescription& description() const override;
 
-  /// One observation per scan, stamped with the scan's end; the first is one cycle after 0. While the vehicle
-  /// is held (an emergency stop, no odometry, somebody else who sends commands), this waits and its clock
-  /// stands still.
+  /// One observation per scan, stamped with the scan's end; without a scanner, per image of the first camera.
+  /// It has the newest image of each camera that is not from after it. The first is one cycle after 0. While
+  /// the vehicle is held (an emergency stop, no odometry, somebody else who sends commands), this waits and
+  /// its clock stands still.
   /// @throws Interrupted  from the progress
   std::optional<Observation> sense() override;
   std::string end_reason() const override;

@@ -23,6 +23,7 @@ class RobotDiagnostics final : public Progress {
   void note(const std::string& what);
 
   void report(std::string_view task, std::size_t done, std::size_t total) override;
+  bool shall_end() const override { return next_.shall_end(); }
 
  private:
   void publish();

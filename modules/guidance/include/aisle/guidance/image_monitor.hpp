@@ -1,11 +1,13 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "aisle/core/image.hpp"
 #include "aisle/core/parameters.hpp"
+#include "aisle/geometry/pose2.hpp"
 #include "aisle/vehicle/observation.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
@@ -19,11 +21,16 @@ struct ImageMonitorParams {
   void describe(FieldList& fields);
 };
 
-/// Checks that a camera still works: its images arrive in time, change, and are neither black nor washed out.
+/// Checks that a camera still works: its images arrive in time, change while the vehicle moves, and are
+/// neither black nor washed out. While it stands, equal images say nothing: a camera without noise sees the
+/// same again.
 class ImageMonitor {
  public:
-  ImageMonitor(const ImageMonitorParams& params, const CameraDescription& camera);
+  /// @param vehicle  whose odometry is read
+  ImageMonitor(const ImageMonitorParams& params, const VehicleDescription& vehicle,
+               const CameraDescription& camera);
 
+  /// Once a cycle, with every observation.
   /// @return the camera's image if this observation has one that can be trusted; nullptr otherwise. Points
   ///         into the observation
   const CameraImage* look(const Observation& observation);
@@ -32,11 +39,22 @@ class ImageMonitor {
   std::optional<std::string> trouble(double now_s) const;
 
  private:
+  struct StampedPose {
+    double stamp_s = 0;
+    Pose2 T_odom_vehicle;
+  };
+
+  void move(const Observation& observation);
+  Pose2 T_odom_taken(const CameraImage& image) const;
+  bool is_frozen(const CameraImage& image);
   const char* fault_of(const CameraImage& image, double now_s);
 
   ImageMonitorParams params_;
+  VehicleDescription vehicle_;
   CameraDescription camera_;
-  std::shared_ptr<const Image> last_;
+  std::deque<StampedPose> poses_;  ///< as far back as images are taken; the newest last
+  std::shared_ptr<const Image> shown_;
+  Pose2 T_odom_shown_;                  ///< where the vehicle was when that was first shown
   std::optional<double> good_stamp_s_;  ///< of the last good image
   const char* what_ = "has sent no image";
 };

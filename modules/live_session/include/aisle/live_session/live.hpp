@@ -9,8 +9,8 @@
 
 namespace aisle {
 
-/// `aisle live WORLD`: runs a simulated vehicle in real time. It is idle until a client of the live server
-/// gives it a mission, and runs until it is interrupted.
+/// `aisle live WORLD`: runs a simulated vehicle in real time, or a robot. It is idle until a client of the
+/// live server gives it a mission, and runs until it is interrupted.
 /// @param announce  called with the server's address once it listens
 Result<Outcome> run_live(const LiveOptions& options, Console& console,
                          const std::function<void(const std::string&)>& announce);

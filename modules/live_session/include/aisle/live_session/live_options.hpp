@@ -25,7 +25,8 @@ struct LiveListening {
 
 struct LiveOptions {
   LiveListening listening;
-  std::string world;  ///< file or shipped name
+  std::filesystem::path connection;  ///< connection file of a robot; empty: simulated
+  std::string world;                 ///< file or shipped name
   std::string vehicle = "alv";
   std::uint64_t seed = 1;
 };

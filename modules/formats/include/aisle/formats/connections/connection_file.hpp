@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "aisle/core/result.hpp"
+#include "aisle/vehicle/camera_source.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
 namespace aisle {
@@ -31,7 +32,7 @@ struct ConnectedFrames {
   std::string base = "base_link";
   std::string odom = "odom";
   enum class Mounts {
-    kTransforms,  ///< the scanner's place comes from /tf_static
+    kTransforms,  ///< the places of scanner and cameras come from /tf_static
     kFile         ///< from the vehicle file
   } mounts = Mounts::kTransforms;
   Vec2 p_base_axle_m =
@@ -39,8 +40,26 @@ struct ConnectedFrames {
 };
 
 struct ConnectedScan {
-  std::string topic = "scan";
+  std::string topic = "scan";  ///< empty: there is no scanner
+  double silent_max_s = 1;     ///< longer: the mission ends
+};
+
+/// A camera: of the robot, by a topic, or one that aisle opens itself. Exactly one of topic and the source's
+/// texts is given.
+struct ConnectedCamera {
+  std::string name = "front";  ///< as in the vehicle file
+  std::string topic;           ///< of sensor_msgs/Image or CompressedImage
+  enum class Messages {
+    kAuto,  ///< compressed where the topic's name ends so
+    kImage,
+    kCompressed
+  } messages = Messages::kAuto;
+  std::string calibration;  ///< topic of sensor_msgs/CameraInfo; empty: beside the images
+  CameraSource source;      ///< without topic
   double silent_max_s = 1;  ///< longer: the mission ends
+
+  bool has_compressed_images() const;
+  std::string calibration_topic() const;
 };
 
 struct ConnectedOdometry {
@@ -61,6 +80,20 @@ struct ConnectedSwitch {
 struct ConnectedBattery {
   std::string topic;         ///< of sensor_msgs/BatteryState; empty: not watched
   double charge_min = 0.15;  ///< with less, no mission starts
+};
+
+/// A topic of sensor_msgs/Joy by which a person drives. Buttons and axes are counted from 0; a button of -1
+/// is none.
+struct ConnectedJoystick {
+  std::string topic = "joy";
+  int dead_man_button = 4;  ///< the robot moves only while it is held
+  int speed_axis = 1;
+  int turn_axis = 0;       ///< turn rate, or steering of the front wheels
+  int place_button = 0;    ///< marks a place
+  int end_button = 1;      ///< the drive ends
+  double speed_mps = 0.3;  ///< at full deflection
+  double turn_rate_rad_s = 30 * kDegree;
+  double steering_rad = 25 * kDegree;
 };
 
 struct ConnectedCommands {
@@ -89,10 +122,12 @@ struct Connection {
   ConnectedClock clock = ConnectedClock::kStamps;
   ConnectedFrames frames;
   ConnectedScan scan;
+  std::vector<ConnectedCamera> cameras;
   ConnectedOdometry odometry;
   std::vector<ConnectedSwitch> bumpers;
   std::vector<ConnectedSwitch> emergency_stops;
   ConnectedBattery battery;
+  ConnectedJoystick joystick;
   ConnectedCommands commands;
   ConnectedLimits limits;
 

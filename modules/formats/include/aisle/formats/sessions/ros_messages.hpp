@@ -300,6 +300,21 @@ struct AckermannDriveStamped {
   friend bool operator==(const AckermannDriveStamped&, const AckermannDriveStamped&) = default;
 };
 
+struct Joy {
+  static constexpr const char* kType = "sensor_msgs/msg/Joy";
+  Header header;
+  std::vector<float> axes;  ///< -1 to 1; left and ahead are positive
+  std::vector<std::int32_t> buttons;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("axes", self.axes);
+    visit("buttons", self.buttons);
+  }
+  friend bool operator==(const Joy&, const Joy&) = default;
+};
+
 struct BatteryState {
   static constexpr const char* kType = "sensor_msgs/msg/BatteryState";
   Header header;

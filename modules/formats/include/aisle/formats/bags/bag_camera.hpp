@@ -1,19 +1,21 @@
 #pragma once
+/// What a robot's messages say of a camera.
 
 #include <optional>
 #include <string>
 
 #include "aisle/core/problem.hpp"
+#include "aisle/formats/bags/transform_tree.hpp"
+#include "aisle/formats/sessions/ros_messages.hpp"
 #include "aisle/geometry/back_projection.hpp"
 #include "aisle/geometry/camera_model.hpp"
-#include "bags/bag_streams.hpp"
 
 namespace aisle {
 
-/// The lens that a bag gives of the camera that took its images, within what a vehicle file may say.
+/// The lens of the camera that took some images, within what a vehicle file may say.
 /// @param topic   of the images; "rect" in its name: their distortion was taken out
-/// @param warning with the place; says why a lens that the bag gives is not taken
-std::optional<CameraIntrinsics> bag_lens(const BagImages& images, const std::string& topic, int width_px,
+/// @param warning with the place; says why a lens that the messages give is not taken
+std::optional<CameraIntrinsics> bag_lens(const ros::CameraInfo& info, const std::string& topic, int width_px,
                                          int height_px, Problem warning, Problems& warnings);
 
 /// How the camera sits, by the fixed transforms to the images' frame; a frame that looks to the sky is taken
