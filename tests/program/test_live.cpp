@@ -80,15 +80,15 @@ TEST_F(LiveProgram, ShowsTheVeryBytesThatItRecordsAndNeverTheTruth) {
   LiveClient client(port);
   client.subscribe_to_all();
   const std::string lease = client.call("lease/take")["lease"];
-  client.call("mission/start", {{"lease", lease}, {"mission", "drive"}, {"session", "trip"}});
-  client.read_until([&] { return state_of(client)["session"] == "trip"; });
+  client.call("mission/start", {{"lease", lease}, {"mission", "drive"}, {"session", "run"}});
+  client.read_until([&] { return state_of(client)["session"] == "run"; });
   const std::size_t begun = client.messages.size();
   client.read_until([&] { return client.messages.size() > begun + 300; });
   client.call("mission/finish", {{"lease", client.call("lease/take")["lease"]}});
   client.read_until([&] { return state_of(client)["mode"] == "idle"; });
   EXPECT_EQ(state_of(client)["last"]["ok"], true);
 
-  const Recorded session = recorded(at("lab/sessions/trip"));
+  const Recorded session = recorded(at("lab/sessions/run"));
   std::map<std::string, std::size_t> same;
   for (std::size_t i = begun; i < client.messages.size(); ++i) {
     const LiveClient::Message& message = client.messages[i];
@@ -157,19 +157,19 @@ TEST_F(LiveProgram, RunsMissionsAndAnswersQuestions) {
   const std::string lease = client.call("lease/take")["lease"];
   EXPECT_THROW(client.call("mission/start", {{"lease", lease}, {"mission", "dance"}}), std::runtime_error);
   client.call("mission/start",
-              {{"lease", lease}, {"mission", "teach"}, {"session", "trip"}, {"scripted", true}});
+              {{"lease", lease}, {"mission", "teach"}, {"session", "run"}, {"scripted", true}});
   client.read_until([&] { return state_of(client)["mode"] == "mission"; });
   client.read_until([&] { return client.time_ns > 3'000'000'000U; });
   client.call("mission/stop", {{"lease", client.call("lease/take")["lease"]}});
   client.read_until([&] { return state_of(client)["mode"] == "idle"; });
   EXPECT_THAT(state_of(client)["last"]["text"].get<std::string>(),
               testing::HasSubstr("ended by the operator"));
-  EXPECT_EQ(client.call("sessions/list")["sessions"][0]["name"], "trip");
-  EXPECT_TRUE(client.call("sessions/info", {{"session", "trip"}}).contains("topics"));
-  EXPECT_EQ(live_http(port, "GET", "/sessions/").body, R"({"sessions":["trip"]})");
-  EXPECT_EQ(live_http(port, "GET", "/sessions/trip/trip_0.db3").status, 200);
+  EXPECT_EQ(client.call("sessions/list")["sessions"][0]["name"], "run");
+  EXPECT_TRUE(client.call("sessions/info", {{"session", "run"}}).contains("topics"));
+  EXPECT_EQ(live_http(port, "GET", "/sessions/").body, R"({"sessions":["run"]})");
+  EXPECT_EQ(live_http(port, "GET", "/sessions/run/run_0.db3").status, 200);
 
-  client.call("replay/start", {{"lease", client.call("lease/take")["lease"]}, {"session", "trip"}});
+  client.call("replay/start", {{"lease", client.call("lease/take")["lease"]}, {"session", "run"}});
   client.read_until(
       [&] { return state_of(client)["mode"] == "replay" && state_of(client)["replay"]["at_s"] > 0.5; });
 }
@@ -194,13 +194,13 @@ TEST_F(LiveProgram, WatchesAnotherVerb) {
 }
 
 TEST_F(LiveProgram, ListsTheSessionsOfAFolderWhileAnotherVerbIsWatched) {
-  ASSERT_EQ(run_aisle({"drive", "l-corridor", "--out", at("kept/trip"), "--no-pictures", "--keys",
+  ASSERT_EQ(run_aisle({"drive", "l-corridor", "--out", at("kept/run"), "--no-pictures", "--keys",
                        file("keys", "0-0.5 up\n")})
                 .exit_code,
             0);
   start({"drive", "l-corridor", "--operator", "page", "--live", "--no-pictures", "--sessions", at("kept")});
   LiveClient client(port);
-  EXPECT_EQ(client.call("sessions/list")["sessions"][0]["name"], "trip");
+  EXPECT_EQ(client.call("sessions/list")["sessions"][0]["name"], "run");
 }
 
 TEST_F(LiveProgram, RefusesWhatWouldBeUnsafe) {

@@ -10,13 +10,13 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 /// The problem without the server's folders, which say nothing to clients.
-std::string told(Problem problem) {
+std::string without_server_paths(Problem problem) {
   problem.where.file = std::filesystem::path(problem.where.file).filename().string();
   return to_string(problem);
 }
 
 /// The word, or the last part of a path of the server.
-std::string told_word(const std::string& word) {
+std::string without_server_path(const std::string& word) {
   const std::size_t end = word.find_last_not_of(".,;:");
   if (end == std::string::npos || word.find('/') == std::string::npos) return word;
   const std::filesystem::path path = word.substr(0, end + 1);
@@ -26,14 +26,14 @@ std::string told_word(const std::string& word) {
 }
 
 /// An outcome's text without the server's folders, and without the lines that say which file to see.
-std::string told(const std::string& text) {
+std::string without_server_paths(const std::string& text) {
   std::string lines;
   std::istringstream all(text);
   for (std::string line; std::getline(all, line);) {
     if (line.starts_with("see ")) continue;
     std::istringstream words(line);
     std::string said;
-    for (std::string word; words >> word;) said += (said.empty() ? "" : " ") + told_word(word);
+    for (std::string word; words >> word;) said += (said.empty() ? "" : " ") + without_server_path(word);
     lines += said + "\n";
   }
   return lines;
@@ -67,11 +67,11 @@ std::string live_state_json(const LiveState& state) {
 OrderedJson live_end(const std::string& mission, const Result<Outcome>& outcome) {
   OrderedJson problems = OrderedJson::array();
   if (!outcome) {
-    for (const Problem& problem : outcome.problems()) problems.push_back(told(problem));
+    for (const Problem& problem : outcome.problems()) problems.push_back(without_server_paths(problem));
   }
   return {{"mission", mission},
           {"ok", outcome.ok() && outcome->ok},
-          {"text", outcome ? told(outcome->text) : ""},
+          {"text", outcome ? without_server_paths(outcome->text) : ""},
           {"figures", outcome ? outcome->figures : OrderedJson::object()},
           {"problems", std::move(problems)}};
 }

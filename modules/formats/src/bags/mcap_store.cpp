@@ -58,9 +58,9 @@ McapStore::McapStore(const std::filesystem::path& path, TopicTable& topics, Byte
     : RecordStore(path, topics, std::move(file), kMcapMagic.size()) {}
 
 Result<BagStore::Survey> McapStore::survey() {
-  std::optional<Survey> told = summary();
+  std::optional<Survey> stated = summary();
   rewind();
-  if (told) return *told;
+  if (stated) return *stated;
   return RecordStore::survey();
 }
 

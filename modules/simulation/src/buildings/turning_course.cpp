@@ -72,10 +72,10 @@ class Course {
 
   World take(int number, std::vector<Vec2> path, const Vec2& at, double reach_m) {
     return take(std::move(path),
-                {{.route = "way", .number = number, .at = at, .before_m = reach_m, .after_m = reach_m}});
+                {{.route = "bend", .number = number, .at = at, .before_m = reach_m, .after_m = reach_m}});
   }
   World take(std::vector<Vec2> path, std::vector<TaughtTurning> turnings) {
-    world_.routes = {{.name = "way", .parking = ParkingStrategy::kView, .path = std::move(path)}};
+    world_.routes = {{.name = "bend", .parking = ParkingStrategy::kView, .path = std::move(path)}};
     world_.turnings = std::move(turnings);
     return std::move(world_);
   }
@@ -140,8 +140,8 @@ World with_close_turnings(int first, int second, double side, Course course) {
        {side * (kApart_m - kBefore_m), 0},
        {side * kApart_m, 0},
        {side * kApart_m, -kExit_m}},
-      {{.route = "way", .number = first, .at = {0, 0}, .before_m = kTurning_m, .after_m = kBeyond_m},
-       {.route = "way",
+      {{.route = "bend", .number = first, .at = {0, 0}, .before_m = kTurning_m, .after_m = kBeyond_m},
+       {.route = "bend",
         .number = second,
         .at = {side * kApart_m, -branch_m},
         .before_m = kBefore_m + branch_m,

@@ -16,8 +16,8 @@ namespace {
 /// An L of two legs in the open, with one turning.
 World open_floor() {
   World world;
-  world.routes = {{.name = "way", .parking = ParkingStrategy::kDeadEnd, .path = {{0, 0}, {4, 0}, {4, 4}}}};
-  world.turnings = {{.route = "way", .number = 1, .at = {4, 0}, .before_m = 1.5, .after_m = 1},
+  world.routes = {{.name = "bend", .parking = ParkingStrategy::kDeadEnd, .path = {{0, 0}, {4, 0}, {4, 4}}}};
+  world.turnings = {{.route = "bend", .number = 1, .at = {4, 0}, .before_m = 1.5, .after_m = 1},
                     {.route = "other", .number = 2, .at = {1, 0}}};
   return world;
 }
@@ -66,9 +66,9 @@ TEST(RouteGuide, SaysWhereTurningsBeginAndEndAndHowToPark) {
 
 TEST(RouteGuide, BetweenCloseTurningsItReversesAfterTheEndOfTheFirst) {
   World world;
-  world.routes = {{.name = "way", .path = {{0, 0}, {4, 0}, {1, 0}, {3, 0}, {3, 4}}}};
-  world.turnings = {{.route = "way", .number = 4, .at = {2, 0}, .before_m = 1, .after_m = 2},
-                    {.route = "way", .number = 7, .at = {3, 0.3}, .before_m = 2.3, .after_m = 1}};
+  world.routes = {{.name = "bend", .path = {{0, 0}, {4, 0}, {1, 0}, {3, 0}, {3, 4}}}};
+  world.turnings = {{.route = "bend", .number = 4, .at = {2, 0}, .before_m = 1, .after_m = 2},
+                    {.route = "bend", .number = 7, .at = {3, 0.3}, .before_m = 2.3, .after_m = 1}};
   const auto driven = driven_with_marks(world);
   ASSERT_EQ(driven.marks.size(), 5U);
   EXPECT_EQ(driven.marks[1], (Mark{Mark::Kind::kTurningEnds, "4"}));
@@ -89,7 +89,7 @@ double nearest_m(const std::vector<Pose2>& driven, const Pose2& T_world_wished) 
 
 TEST(RouteGuide, ShowsViewsFromAboutATaughtPlace) {
   World world;
-  world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .path = {{0, 0}, {4, 0}}}};
+  world.routes = {{.name = "bend", .parking = ParkingStrategy::kView, .path = {{0, 0}, {4, 0}}}};
   const GuidedDrive driven = driven_with_marks(world, ShownViews::kPattern);
   ASSERT_EQ(driven.marks, std::vector(1, Mark{Mark::Kind::kStop, "view"})) << "the route ends before them";
   const Pose2 T_world_place{driven.places.front().x(), driven.places.front().y(), 0};
@@ -102,7 +102,7 @@ TEST(RouteGuide, ShowsViewsFromAboutATaughtPlace) {
 
 TEST(RouteGuide, LeavesOutLanesWithoutClearance) {
   World world;
-  world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .path = {{0, 0}, {4, 0}}}};
+  world.routes = {{.name = "bend", .parking = ParkingStrategy::kView, .path = {{0, 0}, {4, 0}}}};
   world.furniture = {{.centre = {3, -0.6}, .size = {4, 0.3}, .height_m = 1}};  // 15 cm beside the vehicle
   const GuidedDrive driven = driven_with_marks(world, ShownViews::kPattern);
   double right_m = 0, left_m = 0;
@@ -116,7 +116,7 @@ TEST(RouteGuide, LeavesOutLanesWithoutClearance) {
 
 TEST(RouteGuide, RoutesAreFoundByName) {
   const World world = open_floor();
-  EXPECT_EQ(route_of(world, "way"), world.routes.data());
+  EXPECT_EQ(route_of(world, "bend"), world.routes.data());
   EXPECT_EQ(route_of(world, "no path"), nullptr);
 }
 
