@@ -66,7 +66,7 @@ TEST_F(DriveByKeys, NamesWhatIsNotThere) {
     arguments.insert(arguments.end(), {"--no-pictures", "--json"});
     return run_aisle(arguments);
   };
-  EXPECT_THAT(without_images({"drive"}), IsRefused("WORLD"));
+  EXPECT_THAT(without_images({"drive"}), IsRefused("a world or --connect is required"));
   EXPECT_THAT(without_images({"drive", at("no.yaml")}), IsRefused("no.yaml: no such file"));
   EXPECT_THAT(without_images({"drive", "l-corridor", "--vehicle", "cab"}), IsRefused("cab: no such file"));
   EXPECT_THAT(without_images({"drive", "l-corridor", "--scenario", "flood"}),
