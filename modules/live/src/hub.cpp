@@ -136,6 +136,10 @@ void Hub::publish_time(ros::Stamp_ns stamp) {
     client.send({.head = time_frame(stamp), .body = {}, .may_be_lost = true});
 }
 
+void Hub::say_goodbye() {
+  for (const auto& [id, client] : clients_) client.send({.head = {}, .body = {}, .is_goodbye = true});
+}
+
 void Hub::forget_latched() {
   for (Channel& channel : channels_) channel.latched.reset();
 }

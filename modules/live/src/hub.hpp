@@ -39,6 +39,8 @@ class Hub {
 
   void publish(const SessionTopic& topic, ros::Stamp_ns stamp, std::shared_ptr<const std::string> cdr);
   void publish_time(ros::Stamp_ns stamp);
+  /// Nothing is sent after this to the clients that are here.
+  void say_goodbye();
   /// Later subscribers get no message from before this call.
   void forget_latched();
 

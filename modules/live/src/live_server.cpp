@@ -78,13 +78,21 @@ class LiveServer::Engine {
   Engine& operator=(const Engine&) = delete;
 
   Problems start();
-  Tcp::endpoint endpoint() const { return acceptor_.local_endpoint(); }
+  const Tcp::endpoint& endpoint() const { return endpoint_; }
   bool is_encrypted() const { return tls_.has_value(); }
 
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr);
   void take_time(ros::Stamp_ns stamp);
   void forget_latched() {
     asio::post(io_, [this] { hub_.forget_latched(); });
+  }
+  void say_goodbye() {
+    asio::post(io_, [this] {
+      boost::system::error_code ignored;
+      acceptor_.close(ignored);
+      drain();
+      hub_.say_goodbye();
+    });
   }
 
   DriveInbox& drive() { return drive_; }
@@ -108,6 +116,7 @@ class LiveServer::Engine {
   std::atomic<bool> lease_is_held_ = false;
   asio::io_context io_{1};  // owns the connections, which use all members above until their end
   Tcp::acceptor acceptor_;
+  Tcp::endpoint endpoint_;
   std::thread thread_;
 };
 
@@ -122,6 +131,7 @@ Problems LiveServer::Engine::start() {
     return {{{fmt::format("{}:{}", options_.address, options_.port)},
              "cannot be listened on: " + error.message() + "; --port chooses another"}};
   }
+  endpoint_ = acceptor_.local_endpoint();
   accept();
   thread_ = std::thread([this] { io_.run(); });
   return {};
@@ -206,6 +216,9 @@ void LiveServer::take_time(ros::Stamp_ns stamp) {
 }
 void LiveServer::forget_latched() {
   engine_->forget_latched();
+}
+void LiveServer::say_goodbye() {
+  engine_->say_goodbye();
 }
 DriveInbox& LiveServer::drive() {
   return engine_->drive();

@@ -14,6 +14,7 @@ struct OutFrame {
   std::shared_ptr<const std::string> body;  ///< null: the message is the head alone
   bool is_text = false;
   bool may_be_lost = false;  ///< a newer message will replace it
+  bool is_goodbye = false;   ///< no message: the connection is closed after all before it
 
   std::size_t bytes() const { return head.size() + (body ? body->size() : 0); }
 };

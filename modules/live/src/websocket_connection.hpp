@@ -92,6 +92,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   void write() {
     sent_ = queue_.pop();
     if (!sent_) return;
+    if (sent_->is_goodbye) return close({websocket::close_code::going_away, "the program ends"});
     socket_.text(sent_->is_text);
     const std::array<boost::asio::const_buffer, 2> buffers{
         boost::asio::buffer(sent_->head),

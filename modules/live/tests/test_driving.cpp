@@ -69,7 +69,7 @@ TEST(DriveCommands, ThatMakeNoSenseAreNone) {
     EXPECT_FALSE(parse_drive_command(json)) << json;
 }
 
-class Inbox : public testing::Test {
+class CommandInbox : public testing::Test {
  protected:
   static DriveCommand command(std::uint64_t sequence, double speed_mps = 0) {
     return {.lease = "t", .sequence = sequence, .command = {.speed_mps = speed_mps}};
@@ -79,14 +79,14 @@ class Inbox : public testing::Test {
   DriveInbox inbox{clock};
 };
 
-TEST_F(Inbox, GivesTheNewestOnce) {
+TEST_F(CommandInbox, GivesTheNewestOnce) {
   inbox.put(command(1, 0.1));
   inbox.put(command(2, 0.2));
   EXPECT_EQ(inbox.take()->command.speed_mps, 0.2);
   EXPECT_FALSE(inbox.take());
 }
 
-TEST_F(Inbox, IgnoresOldOrRepeatedSequences) {
+TEST_F(CommandInbox, IgnoresOldOrRepeatedSequences) {
   EXPECT_TRUE(inbox.put(command(5)));
   EXPECT_FALSE(inbox.put(command(5)));
   EXPECT_FALSE(inbox.put(command(4)));
@@ -94,14 +94,14 @@ TEST_F(Inbox, IgnoresOldOrRepeatedSequences) {
   EXPECT_FALSE(inbox.put(command(5))) << "taken is not forgotten";
 }
 
-TEST_F(Inbox, BeginsAgainWithEachLease) {
+TEST_F(CommandInbox, BeginsAgainWithEachLease) {
   inbox.put(command(5, 0.4));
   inbox.begin_lease();
   EXPECT_FALSE(inbox.take()) << "of the driver before";
   EXPECT_TRUE(inbox.put(command(1)));
 }
 
-TEST_F(Inbox, CountsHowLongACommandWaited) {
+TEST_F(CommandInbox, CountsHowLongACommandWaited) {
   inbox.put({.lease = "t", .sequence = 1, .age_s = 0.1, .command = {}});
   clock.time_s += 0.4;
   EXPECT_NEAR(inbox.take()->age_s, 0.5, 1e-9);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "live_client.hpp"
+#include "waiting.hpp"
 
 namespace aisle {
 namespace {
@@ -153,6 +154,21 @@ TEST_F(Server, IsNotHeldUpByAClientThatReadsNothing) {
     awake.read_until([&] { return awake.messages.back().stamp == static_cast<std::uint64_t>(100 + i); });
   }
   EXPECT_EQ(awake.messages.back().cdr.size(), large.size());
+}
+
+TEST_F(Server, SaysGoodbyeAfterAllThatWasSent) {
+  LiveClient slow(server->port());
+  server->take(kKept, 1, "begins");
+  slow.subscribe_to_all();
+  slow.read_until([&] { return !slow.messages.empty(); });
+  for (int i = 0; i < 3; ++i) server->take(kKept, 2 + i, std::string(1 << 20, 'x'));
+  server->take(kKept, 9, "ends");
+  server->say_goodbye();
+  slow.read_until([&] { return slow.messages.back().cdr == "ends"; });
+  EXPECT_EQ(server->clients(), 1U) << "it has not heard the goodbye";
+  EXPECT_THROW(slow.read_until([] { return false; }), boost::system::system_error);
+  EXPECT_TRUE(eventually([&] { return server->clients() == 0; }));
+  EXPECT_TRUE(is_refused(server->port(), {})) << "nobody comes any more";
 }
 
 }  // namespace

@@ -15,13 +15,21 @@
 namespace aisle {
 namespace {
 
-/// How long the server stays after a watched mission, so that its clients hear how that ended.
-constexpr double kFarewell_s = 0.5;
+/// How long clients may take to hear how a watched mission ended before the program is gone.
+constexpr double kGoodbyeMax_s = 10;
+constexpr double kGoodbyePoll_s = 0.02;
 
 DriveOptions::KeyOperator hand_of(LiveControl& control) {
   return [&control](const VehicleDescription&, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
     return std::unique_ptr<Operator>(std::make_unique<LiveOperator>(control));
   };
+}
+
+void say_goodbye(LiveServer& server, LiveControl& control) {
+  const SteadyClock clock;
+  const double end_s = clock.now_s() + kGoodbyeMax_s;
+  server.say_goodbye();
+  while (server.clients() > 0 && clock.now_s() < end_s) control.serve(kGoodbyePoll_s);
 }
 
 /// A vehicle that drives one mission after the other, as clients request them.
@@ -164,7 +172,8 @@ Result<Outcome> run_watched(const LiveListening& listening, const std::string& v
   auto outcome = work(watched, hand_of(control));
   control.state().mode = "ended";
   control.state().last = live_end(verb, outcome);
-  if ((*site)->server().clients() > 0) control.serve(kFarewell_s);
+  control.serve(0);
+  say_goodbye((*site)->server(), control);
   return outcome;
 }
 

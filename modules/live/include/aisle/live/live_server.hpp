@@ -52,6 +52,9 @@ class LiveServer final : public MessageSink {
   void take_time(ros::Stamp_ns stamp);
   /// Latched messages so far are no longer sent to clients that join later.
   void forget_latched();
+  /// Closes every connection once its client has taken all that was sent before; nobody can connect any more.
+  /// clients() tells how many are left.
+  void say_goodbye();
 
   /// The newest drive commands from the holder of the lease.
   DriveInbox& drive();
