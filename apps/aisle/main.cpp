@@ -111,6 +111,7 @@ int run_program(int argc, char** argv) {
   app.add_flag("--json", output.json, "print one JSON object instead of text");
   app.add_flag("--quiet", output.quiet, "print neither warnings nor a progress bar");
   Work work;
+  add_show_verbs(app, work);
   add_convert_verb(app, work);
   add_map_verb(app, work);
   add_localise_verb(app, work);

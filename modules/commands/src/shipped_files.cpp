@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <initializer_list>
 #include <set>
 #include <system_error>
@@ -41,7 +42,26 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
+/// The first sentence of the comment at the top of a file.
+std::string first_sentence(const fs::path& file) {
+  std::ifstream lines(file);
+  std::string comment;
+  for (std::string line; std::getline(lines, line) && line.starts_with("# ");)
+    comment += (comment.empty() ? "" : " ") + line.substr(2);
+  const std::size_t end = comment.find(". ");
+  if (end != std::string::npos) return comment.substr(0, end);
+  return comment.ends_with('.') ? comment.substr(0, comment.size() - 1) : comment;
+}
+
 }  // namespace
+
+std::vector<ShippedFile> shipped_files(const std::string& kind) {
+  const fs::path folder = shipped_folder(kind);
+  std::vector<ShippedFile> files;
+  for (const std::string& name : names_in(folder))
+    files.push_back({name, first_sentence(folder / (name + ".yaml"))});
+  return files;
+}
 
 Result<fs::path> shipped_or_own(const std::string& kind, const std::string& name) {
   std::error_code error;

@@ -37,17 +37,6 @@ double spot_px(double weight) {
   return std::max(4.5 * std::sqrt(weight), 1.5);
 }
 
-std::vector<Vec2> points_on(const Path& path) {
-  constexpr double kStep_m = 0.05;
-  std::vector<Vec2> points;
-  for (const PathPiece& piece : path.pieces()) {
-    const double path_m = piece.path_m();
-    const int steps = std::max(1, static_cast<int>(std::ceil(path_m / kStep_m)));
-    for (int i = 0; i <= steps; ++i) points.push_back(piece.at(path_m * i / steps).position());
-  }
-  return points;
-}
-
 class LandmarkDrawing {
  public:
   LandmarkDrawing(const LandmarkPicture& picture, const PictureScale& scale)

@@ -1,5 +1,7 @@
 #include "polyline.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "aisle/geometry/segment2.hpp"
@@ -32,6 +34,17 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance) 
     if (is_kept[i] != 0) kept.push_back(points[i]);
   }
   return kept;
+}
+
+std::vector<Vec2> points_on(const Path& path) {
+  constexpr double kStep_m = 0.05;
+  std::vector<Vec2> points;
+  for (const PathPiece& piece : path.pieces()) {
+    const double path_m = piece.path_m();
+    const int steps = std::max(1, static_cast<int>(std::ceil(path_m / kStep_m)));
+    for (int i = 0; i <= steps; ++i) points.push_back(piece.at(path_m * i / steps).position());
+  }
+  return points;
 }
 
 }  // namespace aisle

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "aisle/report/corridor_picture.hpp"
+#include "aisle/report/building_picture.hpp"
 #include "aisle/report/exploration_charts.hpp"
 #include "aisle/report/report_page.hpp"
 
@@ -82,7 +82,7 @@ std::string exploration_report(const ExplorationPicture& picture, const Building
   page.warnings = warnings_of(record, outcome.figures);
   add_figures(outcome.figures, page.figures);
   page.pictures = {{"Map and path", svg(picture), "Free floor is white, unseen floor is grey."},
-                   {"Graph of corridors", svg(CorridorPicture{.building = building}),
+                   {"Graph of corridors", svg(BuildingPicture{.building = building}),
                     "Crossings, ends and paths as learned."},
                    {"Known floor over the distance travelled", coverage_svg(record), ""},
                    {"States and stack", transducer_svg(record),

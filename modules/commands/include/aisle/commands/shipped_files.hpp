@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "aisle/core/result.hpp"
 
@@ -20,6 +21,14 @@ auto read_shipped_or_own(const std::string& kind, const std::string& name, Read 
   if (!file) return file.problems();
   return read(*file);
 }
+
+struct ShippedFile {
+  std::string name;         ///< as verbs take it
+  std::string description;  ///< the first sentence of the comment at its top; empty: there is none
+};
+
+/// The shipped files of a kind, by name; empty if there are none.
+std::vector<ShippedFile> shipped_files(const std::string& kind);
 
 /// The folder of the live page, built or installed; empty if there is none.
 std::filesystem::path shipped_page();

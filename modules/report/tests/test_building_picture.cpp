@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "aisle/report/corridor_picture.hpp"
+#include "aisle/report/building_picture.hpp"
 
 namespace aisle {
 namespace {
@@ -26,18 +26,18 @@ Building any_building() {
   return building;
 }
 
-TEST(CorridorPicture, ShowsTheGraphInOneColour) {
+TEST(BuildingPicture, ShowsTheGraphInOneColour) {
   const Building building = any_building();
   EXPECT_THAT(svg({.building = building}), HasSubstr(kCorridorStroke));
 }
 
-TEST(CorridorPicture, AnEmptyBuildingIsAnEmptyPicture) {
+TEST(BuildingPicture, AnEmptyBuildingIsAnEmptyPicture) {
   const Building empty;
   EXPECT_THAT(svg({.building = empty}), Not(HasSubstr(kCorridorStroke)));
   EXPECT_THAT(png({.building = empty}), StartsWith("\x89PNG"));
 }
 
-TEST(CorridorPicture, SamePictureSameBytes) {
+TEST(BuildingPicture, SamePictureSameBytes) {
   const Building building = any_building();
   EXPECT_EQ(svg({.building = building}), svg({.building = building}));
 }

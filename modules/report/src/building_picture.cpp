@@ -1,5 +1,6 @@
-#include "aisle/report/corridor_picture.hpp"
+#include "aisle/report/building_picture.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -16,18 +17,26 @@ constexpr Color kSeenFloor{0.93, 0.95, 0.97};
 constexpr Color kSeenStanding{0.55, 0.59, 0.64};
 constexpr Color kGraphLine{0.80, 0.10, 0.20};
 constexpr Color kNamedPlace{0.10, 0.54, 0.30};
+constexpr Color kTaughtRoute{0.13, 0.47, 0.86, 0.45};
+constexpr Color kDrawnLine{0.90, 0.55, 0.0};
+constexpr Color kSeenLandmark{0.45, 0.22, 0.68};
 
 constexpr Pen kCorridorPen{kGraphLine, 3};
 constexpr Pen kDrivenPathPen{kPath, 1.25};
 constexpr Pen kLearnedWallPen{kInk, 2};
+constexpr Pen kTaughtRoutePen{kTaughtRoute, 5};
+constexpr Pen kDrawnLinePen{kDrawnLine, 4};
+constexpr Font kRouteFont{15, kPath, true};
 constexpr Font kNodeFont{15, kGraphLine, true};
 constexpr Font kPlaceFont{15, kNamedPlace, true};
 
 constexpr double kNode_px = 6;
 constexpr double kPlace_px = 5;
+constexpr double kLandmark_px = 3;
+constexpr double kFaintest = 0.25;
 constexpr double kTrailTolerance_px = 0.3;
 
-PictureContent content_of(const CorridorPicture& picture) {
+PictureContent content_of(const BuildingPicture& picture) {
   PictureContent content;
   const Building& building = picture.building;
   if (building.floor && !building.floor->known().empty()) {
@@ -43,13 +52,20 @@ PictureContent content_of(const CorridorPicture& picture) {
   for (const Corridor& corridor : building.corridors.corridors) {
     for (const Vec2& p : corridor.path) content.add(p);
   }
+  for (const Route& route : building.routes) {
+    for (const Vec2& p : points_on(route.path)) content.add(p);
+  }
+  for (const Landmark& landmark : building.landmarks.all()) {
+    if (landmark.weight > 0) content.add(landmark.p_map);
+  }
+  for (const MapPlace& place : building.places) content.add(place.T_map_place.position());
   for (const Pose2& T : picture.path) content.add(T.position());
   return content;
 }
 
-class CorridorDrawing {
+class BuildingDrawing {
  public:
-  CorridorDrawing(const CorridorPicture& picture, const PictureScale& scale)
+  BuildingDrawing(const BuildingPicture& picture, const PictureScale& scale)
       : picture_(picture), building_(picture.building), scale_(scale) {}
 
   void draw_on(Canvas& canvas) const {
@@ -59,8 +75,11 @@ class CorridorDrawing {
       draw_cells(canvas, Floor::kOccupied, kSeenStanding);
     }
     draw_walls(canvas);
+    draw_routes(canvas);
     draw_path(canvas);
     draw_corridors(canvas);
+    draw_landmarks(canvas);
+    draw_barriers(canvas);
     draw_names(canvas);
     draw_header(canvas, scale_, picture_.title, picture_.caption);
     draw_scale_bar(canvas, scale_);
@@ -94,6 +113,29 @@ class CorridorDrawing {
     canvas.lines(walls, kLearnedWallPen);
   }
 
+  void draw_routes(Canvas& canvas) const {
+    for (const Route& route : building_.routes) {
+      std::vector<Vec2> points;
+      for (const Vec2& p : points_on(route.path)) points.push_back(scale_.to_paper(p));
+      canvas.polyline(simplified(points, kTrailTolerance_px), kTaughtRoutePen);
+    }
+  }
+
+  void draw_landmarks(Canvas& canvas) const {
+    for (const Landmark& landmark : building_.landmarks.all()) {
+      if (landmark.weight <= 0) continue;
+      Color color = kSeenLandmark;
+      color.opacity = std::clamp(landmark.weight, kFaintest, 1.0);
+      canvas.disc(scale_.to_paper(landmark.p_map), kLandmark_px, color);
+    }
+  }
+
+  void draw_barriers(Canvas& canvas) const {
+    for (const Barrier& barrier : building_.barriers)
+      canvas.line(scale_.to_paper(barrier.segment.start), scale_.to_paper(barrier.segment.end),
+                  kDrawnLinePen);
+  }
+
   void draw_path(Canvas& canvas) const {
     std::vector<Vec2> points;
     for (const Pose2& T : picture_.path) points.push_back(scale_.to_paper(T.position()));
@@ -121,6 +163,10 @@ class CorridorDrawing {
     const auto& nodes = building_.corridors.nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       canvas.text(scale_.to_paper(nodes[i].p_map) + beside, building_.corridors.name_of(i), kNodeFont);
+    for (const Route& route : building_.routes) {
+      const std::vector<Vec2> points = points_on(route.path);
+      if (!points.empty()) canvas.text(scale_.to_paper(points.front()) + beside, route.name, kRouteFont);
+    }
     for (const MapPlace& place : building_.places) {
       const Vec2 centre = scale_.to_paper(place.T_map_place.position());
       canvas.disc(centre, kPlace_px, kNamedPlace);
@@ -132,6 +178,11 @@ class CorridorDrawing {
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
     if (!picture_.path.empty()) legend.add_line("path driven", kDrivenPathPen);
+    if (!building_.barriers.empty()) legend.add_line("keep-out line or glass", kDrawnLinePen);
+    if (!building_.landmarks.empty())
+      legend.add("landmark", 2 * kLandmark_px,
+                 [&](const Vec2& p) { canvas.disc(p, kLandmark_px, kSeenLandmark); });
+    if (!building_.routes.empty()) legend.add_line("route", kTaughtRoutePen);
     if (!building_.places.empty())
       legend.add("place", 2 * kPlace_px, [&](const Vec2& p) { canvas.disc(p, kPlace_px, kNamedPlace); });
     if (building_.corridors.count(CorridorNode::Kind::kEnd) > 0)
@@ -143,24 +194,24 @@ class CorridorDrawing {
     if (!building_.walls.walls.empty()) legend.add_line("wall", kLearnedWallPen);
   }
 
-  const CorridorPicture& picture_;
+  const BuildingPicture& picture_;
   const Building& building_;
   const PictureScale& scale_;
 };
 
-std::string render(const CorridorPicture& picture, std::string (*make)(int, int, const Drawing&)) {
+std::string render(const BuildingPicture& picture, std::string (*make)(int, int, const Drawing&)) {
   const PictureScale scale = fit_scale(content_of(picture));
-  const CorridorDrawing drawing(picture, scale);
+  const BuildingDrawing drawing(picture, scale);
   return make(scale.width_px, scale.height_px, [&](Canvas& canvas) { drawing.draw_on(canvas); });
 }
 
 }  // namespace
 
-std::string svg(const CorridorPicture& picture) {
+std::string svg(const BuildingPicture& picture) {
   return render(picture, svg_document);
 }
 
-std::string png(const CorridorPicture& picture) {
+std::string png(const BuildingPicture& picture) {
   return render(picture, png_file);
 }
 
