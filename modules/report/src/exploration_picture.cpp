@@ -1,5 +1,6 @@
 #include "aisle/report/exploration_picture.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -26,7 +27,9 @@ constexpr double kFrontier_px = 6;
 class ExplorationDrawing {
  public:
   ExplorationDrawing(const ExplorationPicture& picture, const PictureScale& scale)
-      : picture_(picture), scale_(scale) {}
+      : picture_(picture), scale_(scale) {
+    for (const PathEvent& event : picture.record.paths) latest_[event.path] = &event;
+  }
 
   void draw_on(Canvas& canvas) const {
     canvas.fill(kUnseenFloor);
@@ -80,34 +83,34 @@ class ExplorationDrawing {
   }
 
   void draw_frontiers(Canvas& canvas) const {
-    std::map<std::size_t, const PathEvent*> latest;  // of each path
-    for (const PathEvent& event : picture_.record.paths) {
-      latest[event.path] = &event;
-      if (event.kind == PathEvent::Kind::kPushed)
-        canvas.ring(scale_.to_paper(event.p_map), kFrontier_px, {kPushed, 2});
-    }
-    for (const auto& [path, event] : latest) {
-      const Vec2 centre = scale_.to_paper(event->p_map);
-      if (event->kind == PathEvent::Kind::kGivenUp) canvas.disc(centre, kFrontier_px, kGivenUp);
-      if (event->kind == PathEvent::Kind::kAbandoned) canvas.disc(centre, kFrontier_px, kUndone);
-    }
+    for (const auto& [path, event] : latest_)
+      draw_frontier(canvas, scale_.to_paper(event->p_map), event->kind);
+  }
+
+  static void draw_frontier(Canvas& canvas, const Vec2& centre, PathEvent::Kind kind) {
+    if (kind == PathEvent::Kind::kPushed) canvas.ring(centre, kFrontier_px, {kPushed, 2});
+    if (kind == PathEvent::Kind::kGivenUp) canvas.disc(centre, kFrontier_px, kGivenUp);
+    if (kind == PathEvent::Kind::kAbandoned) canvas.disc(centre, kFrontier_px, kUndone);
   }
 
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
-    legend.add("left undone", 2 * kFrontier_px,
-               [&](const Vec2& p) { canvas.disc(p, kFrontier_px, kUndone); });
-    legend.add("corner given up", 2 * kFrontier_px,
-               [&](const Vec2& p) { canvas.disc(p, kFrontier_px, kGivenUp); });
-    legend.add("path left for later", 2 * kFrontier_px, [&](const Vec2& p) {
-      canvas.ring(p, kFrontier_px, {kPushed, 2});
-    });
+    const auto add_frontier = [&](const char* label, PathEvent::Kind kind) {
+      const bool is_shown = std::any_of(latest_.begin(), latest_.end(),
+                                        [&](const auto& path) { return path.second->kind == kind; });
+      if (is_shown)
+        legend.add(label, 2 * kFrontier_px, [&](const Vec2& p) { draw_frontier(canvas, p, kind); });
+    };
+    add_frontier("left undone", PathEvent::Kind::kAbandoned);
+    add_frontier("corner given up", PathEvent::Kind::kGivenUp);
+    add_frontier("path not taken yet", PathEvent::Kind::kPushed);
     legend.add_line("path driven", kExploredPathPen);
     legend.add_line("walls", kExploredWallPen);
   }
 
   const ExplorationPicture& picture_;
   const PictureScale& scale_;
+  std::map<std::size_t, const PathEvent*> latest_;  ///< of each path
 };
 
 PictureScale fit_scale(const ExplorationPicture& picture) {
