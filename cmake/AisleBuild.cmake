@@ -18,6 +18,13 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   target_compile_options(aisle_build INTERFACE -march=x86-64-v2)
 endif()
 
+# Bytes of strangers are read: a fault shall end the program, not serve whoever sent them. tests/hardening checks it.
+target_compile_options(aisle_build INTERFACE -fstack-protector-strong)
+target_link_options(aisle_build INTERFACE -Wl,-z,relro,-z,now)
+if(NOT AISLE_SANITIZE)
+  target_compile_options(aisle_build INTERFACE $<$<CONFIG:Release>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=2>)
+endif()
+
 if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
   target_compile_options(aisle_build INTERFACE
