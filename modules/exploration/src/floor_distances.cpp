@@ -29,18 +29,18 @@ void FloorDistances::measure(const KnownFloor& floor, const Vec2& from_m, double
   const auto has_clearance = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= clearance_m; };
   tenths_.resize(clearance.size());
   for (std::size_t at = 0; at < tenths_.size(); ++at) tenths_[at] = has_clearance(at) ? kFar : kShut;
-  const FloorCell start = grid.cell_at(from_m);
-  if (!box_.widened(-1).contains(start)) return;
+  start_ = grid.cell_at(from_m);
+  if (!box_.widened(-1).contains(start_)) return;
   const auto leeway = static_cast<std::int32_t>(10 * leeway_m / grid.cell_m());
   FloorBox about;
-  about.include(start);
+  about.include(start_);
   about = about.widened((leeway + 2 * kDiagonal) / 10);
   clearance.for_cells(about, [&](FloorCell, std::size_t at) {
     if (clearance.to_doubtful_m(at) > 0) tenths_[at] = kFar;
   });
   for (std::size_t step = 0; step < kSteps.size(); ++step)
     to_next_[step] = kSteps[step].y * static_cast<std::ptrdiff_t>(clearance.columns()) + kSteps[step].x;
-  begin_at(index(start));
+  begin_at(index(start_));
   // cells with less clearance are entered only within the leeway: all of them are settled one step beyond it
   settle(leeway + kDiagonal, [&](Reached reached) {
     for (unsigned step = 0; step < kSteps.size(); ++step) {

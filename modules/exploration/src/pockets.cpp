@@ -16,9 +16,10 @@ constexpr int kDarkCells = 3;                 // behind the edge, all unknown
 constexpr double kBesideUnknownCells = 0.75;  // cells with less clearance border on the unknown
 constexpr double kBeyondFrontier_m = 0.3;     // depth of the unknown that a frontier surely leads to
 constexpr std::size_t kLooksMax = 6;          // points of an edge from which lines of sight are cast ...
-constexpr int kSights = 96;                   // ... in this many directions: doors may be hardly open
+constexpr std::size_t kSights = 96;           // ... in this many directions: doors may be hardly open
 constexpr std::size_t kPocketRimMax = 24;     // points that represent an edge
 constexpr double kSightMin_m = 0.8;           // the vehicle's centre does not come nearer
+constexpr double kStraightest = 0.98;         // a measured path is at least this much of the straight line
 constexpr double kStrideMax_m = 0.2;          // along a line of sight, over free floor
 constexpr std::array<FloorCell, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
@@ -28,6 +29,13 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   std::vector<std::size_t> chosen;
   for (std::size_t i = (count - 1) % every / 2; i < count; i += every) chosen.push_back(i);
   return chosen;
+}
+
+std::array<Vec2, kSights> all_round() {
+  std::array<Vec2, kSights> directions;
+  for (std::size_t k = 0; k < kSights; ++k)
+    directions[k] = unit(2 * kPi * static_cast<double>(k) / static_cast<double>(kSights));
+  return directions;
 }
 
 class PocketFinder {
@@ -148,12 +156,21 @@ class PocketFinder {
   bool find_stand(Frontier& pocket) const {
     pocket.path_m = FloorDistances::kUnreached;
     for (const std::size_t i : spread(pocket.edge.size(), kLooksMax)) {
-      for (int k = 0; k < kSights; ++k) look_back(pocket.edge[i], unit(2 * kPi * k / kSights), pocket);
+      for (const Vec2& direction : directions_) look_back(pocket.edge[i], direction, pocket);
     }
     return pocket.path_m < FloorDistances::kUnreached;
   }
 
+  /// Whether a path to any place on this line of sight is longer than one that is known already: no path is
+  /// shorter than the straight line.
+  bool is_farther(const Vec2& p_map, const Vec2& direction, double path_m) const {
+    const Vec2 to_start_m = floor_.centre(reached_.start()) - p_map;
+    const Vec2 nearest_m = std::clamp(to_start_m.dot(direction), kSightMin_m, params_.reach_m) * direction;
+    return kStraightest * (to_start_m - nearest_m).norm() - floor_.cell_m() > path_m;
+  }
+
   void look_back(const Vec2& p_map, const Vec2& direction, Frontier& pocket) const {
+    if (is_farther(p_map, direction, pocket.path_m)) return;
     for (double along_m = 0; along_m < params_.reach_m;) {
       const FloorCell cell = floor_.cell_at(Vec2(p_map + along_m * direction));
       const Floor kind = floor_.at(cell);
@@ -172,6 +189,7 @@ class PocketFinder {
   const FrontierParams& frontier_params_;
   const PocketParams& params_;
   CellMarks& marks_;
+  const std::array<Vec2, kSights> directions_ = all_round();
 };
 
 }  // namespace

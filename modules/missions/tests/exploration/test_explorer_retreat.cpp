@@ -66,7 +66,7 @@ RoomRun drive_into_room(const World& world, std::uint64_t seed) {
 }
 
 TEST(ExplorerRetreat, GoesBackAlongItsOwnTrailOutOfANarrowDeadEndAndThenHome) {
-  constexpr std::uint64_t kSeeds = 30;
+  constexpr std::uint64_t kSeeds = 10;
   const World world = corridor_with_narrow_room();
   int stuck = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
@@ -78,7 +78,7 @@ TEST(ExplorerRetreat, GoesBackAlongItsOwnTrailOutOfANarrowDeadEndAndThenHome) {
     EXPECT_LT(run.off_home_m, 0.1);
     if (run.back_m > 3) ++stuck;
   }
-  EXPECT_GE(stuck, 5);  // others find a path out by themselves
+  EXPECT_GE(stuck, 2);  // others find a path out by themselves
 }
 
 /// Its front 0.1 m before the wall: it can neither go on nor turn, and sees no floor behind itself.

@@ -19,7 +19,9 @@ class FloorDistances {
   ///                with less: within `leeway_m` of the start it is not required.
   void measure(const KnownFloor& floor, const Vec2& from_m, double clearance_m, double leeway_m);
 
-  /// [m]; kUnreached where no path is known.
+  /// Where all paths begin.
+  FloorCell start() const { return start_; }
+  /// [m]; kUnreached where no path is known. Diagonal steps count 1 % less than they are long.
   float to(FloorCell cell) const {
     const std::int32_t tenths = box_.contains(cell) ? tenths_[index(cell)] : kShut;
     return tenths == kShut || tenths == kFar ? kUnreached : static_cast<float>(tenths) * 0.1F * cell_m_;
@@ -53,6 +55,7 @@ class FloorDistances {
   void go_on(Reached reached);
 
   FloorBox box_;
+  FloorCell start_;
   float cell_m_ = 0;
   std::vector<std::int32_t> tenths_;  ///< from the start to each cell of the box, in tenths of a cell
   std::array<std::ptrdiff_t, 8> to_next_ = {};        ///< what each step adds to a cell's index
