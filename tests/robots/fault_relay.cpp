@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <utility>
 
 namespace robots {
@@ -35,6 +36,16 @@ Fault rewritten(std::function<std::string(const std::string&)> rewrite) {
   return fault;
 }
 
+Fault showing_the_same() {
+  auto shown = std::make_shared<std::optional<Image>>();
+  return rewritten([shown](const std::string& bytes) {
+    auto image = from_cdr<Image>(bytes).value();
+    if (!*shown) *shown = image;
+    image.data = (*shown)->data;
+    return to_cdr(image);
+  });
+}
+
 Fault stamped_later(double shift_s) {
   return rewritten([shift_s](const std::string& bytes) {
     constexpr std::size_t kStampAt = 4;  // after the encapsulation
@@ -54,6 +65,8 @@ FaultRelay::FaultRelay(unsigned robots_domain, unsigned drivers_domain, unsigned
   add_lane(robots_side_, drivers_side_, "/clock", Clock::kType, Quality::kSensor);
   add_lane(robots_side_, drivers_side_, "/odom", Odometry::kType, Quality::kDefault);
   add_lane(robots_side_, drivers_side_, "/scan", LaserScan::kType, Quality::kSensor);
+  add_lane(robots_side_, drivers_side_, "/camera/image_raw", Image::kType, Quality::kSensor);
+  add_lane(robots_side_, drivers_side_, "/camera/camera_info", CameraInfo::kType, Quality::kSensor);
   add_lane(robots_side_, drivers_side_, "/bumper", Bool::kType, Quality::kDefault);
   add_lane(robots_side_, drivers_side_, "/tf_static", TFMessage::kType, Quality::kLatched);
   add_lane(drivers_side_, robots_side_, "/cmd_vel", Twist::kType, Quality::kDefault);

@@ -27,6 +27,8 @@ struct Fault {
 Fault frozen();
 Fault delayed(double delay_s);
 Fault rewritten(std::function<std::string(const std::string&)> rewrite);
+/// Of images: new stamps, but the pixels stay those of the first.
+Fault showing_the_same();
 /// Of messages that begin with their stamp, as scans, odometry and /clock do.
 Fault stamped_later(double shift_s);
 

@@ -22,10 +22,7 @@ class FaultyRobot : public Workplace {
  public:
   static void SetUpTestSuite() {
     start_robot();
-    relay = std::make_unique<FaultRelay>(robots_domain(), drivers_domain(), kLease_s);
-    drivers_side = std::make_unique<robots::Participant>(drivers_domain());
-    stop =
-        std::make_unique<robots::Publisher<robots::Bool>>(*drivers_side, "/stop", robots::Quality::kDefault);
+    start_relay();
   }
   static void TearDownTestSuite() {
     stop.reset();
@@ -42,10 +39,19 @@ class FaultyRobot : public Workplace {
   static unsigned robots_domain() { return robots::domain_of_this_process(); }
   static unsigned drivers_domain() { return robots::domain_of_this_process(40); }
 
-  static void start_robot() {
-    robot = std::make_unique<robots::RunningRobot>(
-        std::vector<std::string>{"--world", AISLE_SOURCE_DIR "/worlds/l-corridor.yaml", "--clock", "--domain",
-                                 std::to_string(robots_domain())});
+  static void start_relay() {
+    relay = std::make_unique<FaultRelay>(robots_domain(), drivers_domain(), kLease_s);
+    drivers_side = std::make_unique<robots::Participant>(drivers_domain());
+    stop =
+        std::make_unique<robots::Publisher<robots::Bool>>(*drivers_side, "/stop", robots::Quality::kDefault);
+  }
+
+  static void start_robot(const std::vector<std::string>& more = {},
+                          const std::string& world = AISLE_SOURCE_DIR "/worlds/l-corridor.yaml") {
+    std::vector<std::string> arguments = {"--world", world, "--clock", "--domain",
+                                          std::to_string(robots_domain())};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    robot = std::make_unique<robots::RunningRobot>(arguments);
     robot->wait_until_ready();
   }
 

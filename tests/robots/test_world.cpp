@@ -35,12 +35,20 @@ TEST_F(WorldFile, OfTheLCorridorHasItsWallsDoorsAndStart) {
 TEST_F(WorldFile, WallsLieBehindTheirFreeSide) {
   // The free side of a wall towards x is on its left, at greater y.
   const World world = read_text("walls: [[[0, 1], [4, 1]]]");
-  ASSERT_EQ(world.solids.size(), 1u);
+  ASSERT_EQ(world.solids.size(), 2u);
   const Solid& wall = world.solids[0];
   EXPECT_DOUBLE_EQ(wall.length_m, 4);
   EXPECT_DOUBLE_EQ(wall.T_world_centre.x, 2);
   EXPECT_DOUBLE_EQ(wall.T_world_centre.y + wall.width_m / 2, 1);
   EXPECT_DOUBLE_EQ(wall.top_m, 2.7);
+}
+
+TEST_F(WorldFile, ASkirtingBoardIsSeenAtTheFootOfAWall) {
+  const Solid board = read_text("walls: [[[0, 1], [4, 1]]]").solids.at(1);
+  EXPECT_FALSE(board.is_obstacle);
+  EXPECT_DOUBLE_EQ(board.top_m, 0.1);
+  EXPECT_GT(board.T_world_centre.y + board.width_m / 2, 1) << "in front of the wall's face";
+  EXPECT_EQ(read_text("skirting_height_m: 0\nwalls: [[[0, 1], [4, 1]]]").solids.size(), 1u);
 }
 
 TEST_F(WorldFile, AnOpenDoorStandsWhereItIsTurned) {

@@ -18,6 +18,7 @@ constexpr double kPlateThickness_m = 0.03;
 constexpr double kSeatHeight_m = 0.45;
 constexpr double kPosterThickness_m = 0.004;
 constexpr double kFrameRelief_m = 0.025;
+constexpr double kSkirtingThickness_m = 0.006;
 
 /// Keys of what no vehicle can run into, and of what start_of() and built() read themselves.
 const std::set<std::string_view> kNotBuilt = {"format",
@@ -26,10 +27,10 @@ const std::set<std::string_view> kNotBuilt = {"format",
                                               "ceiling_m",
                                               "ceiling_brightness",
                                               "skirting_height_m",
+                                              "skirting_brightness",
                                               "ambient_light",
                                               "lamps",
                                               "texture_seed",
-                                              "skirting_brightness",
                                               "floor",
                                               "papers",
                                               "parking_frames",
@@ -59,7 +60,11 @@ Pose2 turned(Pose2 pose, double heading_rad) {
 /// Adds to the world what the entries of the file's lists stand for.
 class Builder {
  public:
-  Builder(World& world, double ceiling_m) : world_(world), ceiling_m_(ceiling_m) {}
+  Builder(World& world, const YAML::Node& file)
+      : world_(world),
+        ceiling_m_(number_or(file, "ceiling_m", 2.7)),
+        skirting_m_(number_or(file, "skirting_height_m", 0.1)),
+        skirting_brightness_(number_or(file, "skirting_brightness", 0.15)) {}
 
   void add_wall(const YAML::Node& entry) {
     const YAML::Node line = entry.IsMap() ? entry["line"] : entry;
@@ -72,6 +77,9 @@ class Builder {
       // The line is the free side's face, and the free side is on its left.
       box(T_world_line * Pose2{length_m / 2, -kWallThickness_m / 2, 0}, length_m, kWallThickness_m, 0, top_m,
           brightness);
+      if (skirting_m_ > 0)
+        panel(T_world_line * Pose2{length_m / 2, 0, 0}, length_m, kSkirtingThickness_m, 0,
+              std::min(skirting_m_, top_m), skirting_brightness_);
     }
   }
 
@@ -153,6 +161,8 @@ class Builder {
 
   World& world_;
   double ceiling_m_;
+  double skirting_m_;
+  double skirting_brightness_;
 };
 
 /// A world that names no start is entered at the tour's first point, along the tour.
@@ -179,7 +189,7 @@ World built(const YAML::Node& file) {
   for (const YAML::Node& place : file["tour"]) world.tour.push_back(point(place));
   world.tile_m = file["floor"] ? number_or(file["floor"], "tile_m", 0.3) : 0.3;
   world.floor_brightness = file["floor"] ? number_or(file["floor"], "brightness", 0.5) : 0.5;
-  Builder builder(world, number_or(file, "ceiling_m", 2.7));
+  Builder builder(world, file);
   for (const auto& list : file) {
     const auto name = list.first.as<std::string>();
     if (const auto added = kBuilt.find(name); added != kBuilt.end()) {
