@@ -43,6 +43,8 @@ void LocaliserParams::describe(FieldList& fields) {
   fields.angle("hint_deg", hint_rad, {1, 180}, "how far the heading of a hint may be wrong");
   fields.real("lost_share", lost_share, {0, 1}, "lost, if a smaller share of the beams is explained");
   fields.real("lost_s", lost_s, {0.1, 60}, "for this long");
+  fields.real("drift_max_m", drift_max_m, {0.1, 10},
+              "lost as well, if nothing known has been seen until the position is so uncertain");
   fields.count("track_hits", track_hits, {20, 2000}, "hits of a scan that tracking looks at");
 }
 
@@ -157,9 +159,10 @@ void Localiser::track(const LocaliserScan& scan, const UncertainPose2& T_last_no
   beams_.clear();
   for (const Vec2& hit : hits_) beams_.push_back({scan.p_laser, hit});
   const ViewFit fit = fit_of(field_, beams_, params_.view.thin_m, T_map_vehicle_.mean, params_.search.fit);
-  explained_share_ = fit.explained_share();
-  if (hits_.empty() || explained_share_ >= params_.lost_share) explained_s_ = scan.stamp_s;
-  if (scan.stamp_s - explained_s_ <= params_.lost_s) return;
+  explained_share_ = fit.explained_share_of_known();
+  if (explained_share_ >= params_.lost_share) explained_s_ = scan.stamp_s;
+  const double drift_m = std::sqrt(T_map_vehicle_.covariance.topLeftCorner<2, 2>().trace());
+  if (scan.stamp_s - explained_s_ <= params_.lost_s && drift_m <= params_.drift_max_m) return;
   state_ = LocaliserState::kLost;
   view_.clear();
   has_searched_ = false;

@@ -70,11 +70,12 @@ class Examination {
     keep({laid.T_map_vehicle, laid.information, fit});
   }
 
-  /// A pose with a greater misfit is no rival.
+  /// A pose with a greater misfit is no rival. What does not fit is clutter: pieces of it fit elsewhere by
+  /// chance, so the difference of two misfits varies as a count of such pieces does.
   double misfit_max_m() const {
     if (places_.empty()) return view_m_;
     const double best_m = places_.front().fit.misfit_m;
-    return best_m + std::max({params_.margin_m, params_.margin_share * view_m_, best_m});
+    return best_m + params_.margin_m + params_.margin_deviations * std::sqrt(params_.chance_m * best_m);
   }
 
   std::vector<PlaceCandidate>& places() { return places_; }
@@ -111,12 +112,14 @@ void PlaceSearchParams::describe(FieldList& fields) {
   fields.group("fit", fit);
   fields.real("explained_min", explained_min, {0.1, 1}, "share of the view that a place must explain");
   fields.real("margin_m", margin_m, {0.5, 100}, "surface by which a place must be ahead of every other");
-  fields.real("margin_share", margin_share, {0, 1}, "and the share of the view");
+  fields.real("margin_deviations", margin_deviations, {0, 10}, "and standard deviations of its own misfit");
+  fields.real("chance_m", chance_m, {0.1, 5}, "pieces of surface this far apart fit by chances of their own");
   fields.real("apart_m", apart_m, {0.1, 10}, "poses nearer than this are one place");
   fields.angle("apart_deg", apart_rad, {1, 90}, "and turned by less than this");
   fields.count("hits", hits, {20, 2000}, "hits of the view that the search looks at");
   fields.count("places_max", places_max, {2, 10000}, "places after which the search is cut short");
   fields.count("nodes_max", nodes_max, {1000, 1000000000}, "nodes after which the search is cut short");
+  fields.count("rival_nodes", rival_nodes, {0, 1000000000}, "likewise, once two places fit");
 }
 
 bool is_same_place(const Pose2& a, const Pose2& b, const PlaceSearchParams& params) {
@@ -130,9 +133,15 @@ PlaceSearch find_places(const SurfaceField& field, const LikelihoodPyramid& map,
   if (beams.empty()) return result;
   Examination examination(field, beams, piece_m, params);
   PoseSearch search(map, some_hits(beams, params.hits), params.explained_min * (1 - kScoreLoss));
+  auto nodes_max = static_cast<std::size_t>(params.nodes_max);
+  std::size_t nodes_alone = 0;
   while (examination.places().size() < static_cast<std::size_t>(params.places_max)) {
     const double score_min = 1 - examination.misfit_max_m() / result.view_m - kScoreLoss;
-    const auto pose = search.next(score_min, static_cast<std::size_t>(params.nodes_max));
+    if (examination.places().size() > 1) {
+      if (nodes_alone == 0) nodes_alone = search.nodes();
+      nodes_max = std::min(nodes_max, nodes_alone + static_cast<std::size_t>(params.rival_nodes));
+    }
+    const auto pose = search.next(score_min, nodes_max);
     if (!pose) break;
     examination.examine(pose->T_map_vehicle);
   }

@@ -20,7 +20,7 @@ constexpr double kSharedError = 6;  // neighbouring hits have common errors: so 
 constexpr double kNear_m = 0.15;
 constexpr double kSettled = 1e-4;
 
-enum class BeamFate { kExplained, kShort, kThrough };
+enum class BeamFate { kExplained, kShort, kUnknown, kThrough };
 
 /// Follows a beam from surface to surface.
 bool goes_through(const SurfaceField& field, const Vec2& p_from, const Vec2& p_to, double beyond_m) {
@@ -40,7 +40,8 @@ BeamFate fate_of(const SurfaceField& field, const ViewBeam& beam, const Pose2& T
                  const ViewFitParams& params) {
   const Vec2 p_hit = T_map_vehicle * beam.p_hit, p_laser = T_map_vehicle * beam.p_laser;
   if (goes_through(field, p_laser, p_hit, params.beyond_m)) return BeamFate::kThrough;
-  return field.distance_m(p_hit) <= params.near_m ? BeamFate::kExplained : BeamFate::kShort;
+  if (field.distance_m(p_hit) <= params.near_m) return BeamFate::kExplained;
+  return field.can_stand(p_hit) ? BeamFate::kShort : BeamFate::kUnknown;
 }
 
 struct Residual {
@@ -87,6 +88,7 @@ ViewFit fit_of(const SurfaceField& field, std::span<const ViewBeam> beams, doubl
   for (const ViewBeam& beam : beams) {
     const BeamFate fate = fate_of(field, beam, T_map_vehicle, params);
     fit.explained += fate == BeamFate::kExplained ? 1 : 0;
+    fit.unknown += fate == BeamFate::kUnknown ? 1 : 0;
     fit.through += fate == BeamFate::kThrough ? 1 : 0;
   }
   const int short_hits = fit.beams - fit.explained - fit.through;

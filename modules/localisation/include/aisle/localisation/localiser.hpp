@@ -18,9 +18,11 @@ struct LocaliserParams {
   double not_here_view_m = 15;  ///< a view with so much surface that fits nowhere is of another building
   double hint_m = 1.5;          ///< how far a hint may be wrong
   double hint_rad = 30 * kDegree;
-  double lost_share = 0.4;  ///< of a scan's beams: with fewer explained for `lost_s` it is lost
+  double lost_share = 0.4;  ///< of a scan's beams, but for those that end where the building is not known:
+                            ///< with fewer explained for `lost_s` it is lost
   double lost_s = 3;
-  int track_hits = 180;  ///< of a scan, while tracking
+  double drift_max_m = 0.5;  ///< standard deviation; beyond the known building it goes by odometry so long
+  int track_hits = 180;      ///< of a scan, while tracking
 
   void describe(FieldList& fields);
 };
@@ -66,7 +68,8 @@ class Localiser {
   bool knows_all_places() const { return last_.is_complete; }
   /// The hint did not fit what is seen.
   bool hint_was_wrong() const { return hint_was_wrong_; }
-  /// Share of the last scan's beams that the building explains, while it is found.
+  /// Of the last scan's beams that ended in the known building, the share that it explains, while it is
+  /// found.
   double explained_share() const { return explained_share_; }
 
  private:

@@ -12,14 +12,16 @@ namespace aisle {
 
 struct PlaceSearchParams {
   ViewFitParams fit;
-  double explained_min = 0.5;  ///< a pose that explains a smaller share of the view is none
-  double margin_m = 2;         ///< surface by which the best place must be ahead of every other, if no ...
-  double margin_share = 0.03;  ///< ... share of the view and no misfit of its own is more
-  double apart_m = 0.5;        ///< poses nearer than this ...
+  double explained_min = 0.5;    ///< a pose that explains a smaller share of the view is none
+  double margin_m = 2;           ///< surface by which the best place must be ahead of every other, and ...
+  double margin_deviations = 3;  ///< ... so many standard deviations of what chance makes of its misfit
+  double chance_m = 0.5;  ///< pieces of surface this far apart are explained or not, each by its own chance
+  double apart_m = 0.5;   ///< poses nearer than this ...
   double apart_rad = 15 * kDegree;  ///< ... and this are one place
   int hits = 160;                   ///< of the view, for the search
   int places_max = 50;              ///< with more, the search is cut short
-  int nodes_max = 6000000;
+  int nodes_max = 4000000;
+  int rival_nodes = 200000;  ///< once two places fit, it looks for more of them this far only
 
   void describe(FieldList& fields);
 };

@@ -1,6 +1,7 @@
 #pragma once
 /// Branch and bound over all poses of a building: the best ones first, none left out.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,16 +11,21 @@
 
 namespace aisle {
 
-/// How likely hits are in each cell of 10 cm, with the maximum over windows of 1, 2, 4 ... cells.
+/// How likely hits are in each cell of 10 cm, with the maximum over square windows of several widths.
 class LikelihoodPyramid {
  public:
   static constexpr double kCell_m = 0.1;
-  static constexpr int kLevels = 8;
-  static constexpr int kLikely = 250;  ///< right at a surface; falls to 0 at 35 cm
+  /// Cells along a window, by level. The finer the steps between them, the closer the bounds.
+  static constexpr std::array kWidths{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128};
+  static constexpr int kLevels = static_cast<int>(kWidths.size());
+  static constexpr int kLikely = 250;  ///< right at a surface; falls to 0 at 25 cm
 
   explicit LikelihoodPyramid(const SurfaceField& field);
 
-  /// The maximum over cells x .. x + 2^level - 1, and y likewise.
+  /// The least level whose windows are so wide; nullopt: none is.
+  static std::optional<int> level_of(int width);
+
+  /// The maximum over cells x .. x + kWidths[level] - 1, and y likewise.
   int likelihood(int level, int x, int y) const { return at(likelihoods_, level, x, y); }
   /// Whether a vehicle can stand in any of these cells.
   bool can_stand(int level, int x, int y) const { return at(can_stand_, level, x, y) != 0; }
@@ -30,7 +36,7 @@ class LikelihoodPyramid {
 
  private:
   using Levels = std::vector<std::vector<std::uint8_t>>;
-  static constexpr int kPadding = 1 << (kLevels - 1);
+  static constexpr int kPadding = kWidths.back();
 
   int at(const Levels& levels, int level, int x, int y) const {
     if (x < -kPadding || y < -kPadding || x >= columns_ || y >= rows_) return 0;
@@ -81,24 +87,32 @@ class PoseSearch {
  private:
   struct Hit {
     std::int16_t x = 0, y = 0;  ///< cells from the vehicle's
-    std::int16_t spread = 0;    ///< cells that half a heading step moves it
   };
+  /// Poses: a square of 2^level cells, and headings of which there are fewer where the square is small.
   struct Node {
     float score = 0;  ///< no pose in it has a greater one
     int x = 0, y = 0;
-    int heading = 0;
+    int heading = 0;  ///< the first
     int level = 0;
 
     bool operator<(const Node& other) const { return score < other.score; }
   };
 
+  /// Where the windows for a hit begin, and how wide they are.
+  struct Reach {
+    int spread = 0;  ///< cells that the node's headings move the hit to either side
+    std::optional<int> level;
+  };
+
   void turn_hits(std::span<const Vec2> hits);
   void add(Node node);
+  void divide(const Node& node);
   double bound(const Node& node) const;
 
   const LikelihoodPyramid& map_;
   std::size_t hits_ = 0;          ///< per heading
-  std::vector<Hit> hits_turned_;  ///< heading after heading
+  std::vector<Hit> hits_turned_;  ///< by half a heading step after the other
+  std::vector<Reach> reaches_;    ///< of each hit, node level after node level
   std::vector<Node> queue_;       ///< a heap
   double score_min_ = 0;
   std::size_t nodes_ = 0;

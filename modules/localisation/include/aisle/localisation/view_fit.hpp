@@ -21,8 +21,13 @@ struct ViewFit {
   int beams = 0;
   int explained = 0;    ///< ended at a surface of the building
   int through = 0;      ///< went through one; all others ended where the building has none
+  int unknown = 0;      ///< of these others: where the building is not known either
   double misfit_m = 0;  ///< surface that is not explained, weighted
 
+  /// Of the beams that the building says anything about.
+  double explained_share_of_known() const {
+    return beams > unknown ? static_cast<double>(explained) / (beams - unknown) : 1;
+  }
   double explained_share() const { return beams > 0 ? static_cast<double>(explained) / beams : 0; }
 };
 
