@@ -59,8 +59,8 @@ Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLearnerPar
   const std::vector<Pose2>& driven = learned->T_route_vehicle;
   const auto truth = true_poses(session, driven.size());
   if (!truth) return truth.problems();
-  std::vector<OutputFile> files;
-  if (!truth->empty()) files = truth_files(MapTruth(driven, *truth));
+  // Without truth they are empty, and replace those of an earlier, simulated run.
+  std::vector<OutputFile> files = truth_files(truth->empty() ? MapTruth() : MapTruth(driven, *truth));
   files.push_back({"building", "building.json", building_json(learned->building)});
   auto written = (*directory)->write(files);
   if (!written) return written.problems();

@@ -93,8 +93,8 @@ Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLear
   const std::vector<Pose2>& driven = learned->driven.T_route_vehicle;
   const auto truth = true_poses(options.sessions[learned->taken.front()], driven.size());
   if (!truth) return truth.problems();
-  std::vector<OutputFile> files;
-  if (!truth->empty()) files = truth_files(MapTruth(driven, *truth));
+  // Without truth they are empty, and replace those of an earlier, simulated run.
+  std::vector<OutputFile> files = truth_files(truth->empty() ? MapTruth() : MapTruth(driven, *truth));
   files.push_back({"building", "building.json", building_json(learned->building)});
   files.push_back({"sections_svg", kSectionsPicture,
                    svg(SectionPicture{.route = learned->building.routes.front(),
