@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
+#include <utility>
 #include <vector>
 
 #include "aisle/core/angle.hpp"
@@ -28,6 +30,21 @@ struct DrawnPanel {
   double brightness = 100;
 };
 
+inline CameraIntrinsics drawn_lens() {
+  return {.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5, .k1 = -0.18, .k2 = 0.03};
+}
+
+/// 113 degrees from side to side.
+inline CameraIntrinsics drawn_fisheye() {
+  return {.fx_px = 320,
+          .fy_px = 320,
+          .cx_px = 319.5,
+          .cy_px = 239.5,
+          .k1 = -0.02,
+          .k2 = 0.004,
+          .model = LensModel::kEquidistant};
+}
+
 struct DrawnRoom {
   double floor_brightness = 140;
   double tile_m = 0;  ///< 0: none
@@ -37,11 +54,8 @@ struct DrawnRoom {
   std::vector<DrawnPanel> panels;
   std::vector<Segment2> papers;  ///< a sheet 0.2 m wide around each, on the floor
   std::vector<Segment2> worn;    ///< the same where the floor is a little brighter
+  CameraIntrinsics lens = drawn_lens();
 };
-
-inline CameraIntrinsics drawn_lens() {
-  return {.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5, .k1 = -0.18, .k2 = 0.03};
-}
 
 inline CameraMount drawn_mount() {
   return {.p_vehicle_camera = {0.85, 0, 1}, .tilt_rad = 14 * kDegree};
@@ -50,7 +64,7 @@ inline CameraMount drawn_mount() {
 class RoomDrawing {
  public:
   RoomDrawing(const DrawnRoom& room, const CameraMount& mount)
-      : room_(room), mount_(mount), R_vehicle_camera_(mount.R_vehicle_camera()) {}
+      : room_(room), mount_(mount), R_vehicle_camera_(mount.R_vehicle_camera()), rays_(rays_of(room.lens)) {}
 
   Image image() const {
     Image image(640, 480);
@@ -61,7 +75,7 @@ class RoomDrawing {
 
  private:
   std::uint8_t pixel(int u, int v) const {
-    const PixelRay& ray = rays()[static_cast<std::size_t>(v * 640 + u)];
+    const PixelRay& ray = rays_[static_cast<std::size_t>(v * 640 + u)];
     double sum = 0;
     for (int i = 0; i < 9; ++i) {
       const Vec2 off = ray.by_pixel * Vec2((i % 3 - 1) / 3.0, (i / 3 - 1) / 3.0);
@@ -70,15 +84,15 @@ class RoomDrawing {
     return static_cast<std::uint8_t>(std::lround(sum / 9));
   }
 
-  static const std::vector<PixelRay>& rays() {
-    static const std::vector<PixelRay> all = [] {
-      const CameraModel camera(drawn_lens());
-      std::vector<PixelRay> rays;
-      for (int v = 0; v < 480; ++v)
-        for (int u = 0; u < 640; ++u) rays.push_back(camera.ray(Vec2(u, v)).value_or(PixelRay{}));
-      return rays;
-    }();
-    return all;
+  static const std::vector<PixelRay>& rays_of(const CameraIntrinsics& lens) {
+    static std::list<std::pair<CameraIntrinsics, std::vector<PixelRay>>> known;
+    for (const auto& [known_lens, rays] : known)
+      if (known_lens == lens) return rays;
+    const CameraModel camera(lens);
+    std::vector<PixelRay>& rays = known.emplace_back(lens, std::vector<PixelRay>()).second;
+    for (int v = 0; v < 480; ++v)
+      for (int u = 0; u < 640; ++u) rays.push_back(camera.ray(Vec2(u, v)).value_or(PixelRay{}));
+    return rays;
   }
 
   double brightness(const Vec3& ray) const {
@@ -133,6 +147,7 @@ class RoomDrawing {
   DrawnRoom room_;
   CameraMount mount_;
   Mat3 R_vehicle_camera_;
+  const std::vector<PixelRay>& rays_;
 };
 
 inline Image drawn(const DrawnRoom& room, const CameraMount& mount = drawn_mount()) {

@@ -13,7 +13,7 @@ using testing::Not;
 using testing::SizeIs;
 
 std::vector<FloorEdge> edges_of(const DrawnRoom& room, const CameraMount& mount = drawn_mount()) {
-  FloorEdgeDetector detector({}, drawn_lens(), mount);
+  FloorEdgeDetector detector({}, room.lens, mount);
   return detector.detect(drawn(room, mount));
 }
 
@@ -56,6 +56,18 @@ TEST(FloorEdges, AreFoundToAPixelWhateverTheWallsDirection) {
     EXPECT_LT(std::abs(wrap_angle(seen.heading_rad - wall.floor_edge.heading())), 3 * seen.sigma_heading_rad);
     EXPECT_LT(wall.floor_edge.distance(seen.centroid), 3 * seen.sigma_offset_m) << heading_deg;
     EXPECT_LT(edges[0].contrast, 0);
+  }
+}
+
+TEST(FloorEdges, OfAFisheyeImageAreWhereAWallMeetsTheFloor) {
+  for (int heading_deg = -75; heading_deg <= 75; heading_deg += 50) {
+    const DrawnWall wall = wall_ahead(1.6, heading_deg * kDegree);
+    const auto edges = edges_of({.tile_m = 0.3, .walls = {wall}, .lens = drawn_fisheye()});
+    ASSERT_THAT(edges, SizeIs(1)) << heading_deg;
+    const SensedSegment& seen = edges[0].on_floor;
+    EXPECT_LT(std::abs(wrap_angle(seen.heading_rad - wall.floor_edge.heading())), 0.5 * kDegree)
+        << heading_deg;
+    EXPECT_LT(wall.floor_edge.distance(seen.centroid), 0.01) << heading_deg;
   }
 }
 
