@@ -163,5 +163,16 @@ TEST_F(Map, CompareSaysHowFarATrajectoryIsOff) {
               IsRefused("have a true pose within 0.25 s"));
 }
 
+TEST_F(Map, OfARecordingInAnArchiveIsThatOfTheRecordingAndNamesItByItsPlace) {
+  const std::string packed = at("packed.tar.gz");
+  ASSERT_EQ(std::system(("tar -czf " + packed + " -C " + at(".") + " sim").c_str()), 0);
+  const ProgramRun alone = run_aisle({"map", log(), "--json"});
+  const ProgramRun unpacked = run_aisle({"map", packed, "--json"});
+  ASSERT_EQ(unpacked.exit_code, alone.exit_code) << unpacked.err;
+  EXPECT_EQ(unpacked.json()["figures"]["walls"], alone.json()["figures"]["walls"]);
+  EXPECT_THAT(unpacked.out + unpacked.err, Not(HasSubstr("aisle-unpacked-")));
+  EXPECT_EQ(run_aisle({"info", packed}).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -263,9 +263,12 @@ TEST_F(RobotAtTheStart, IsRefusedByNameAndNotMoved) {
       {"command: {topic: driven}\n", "another program sends commands on /driven",
        "does not drive beside it"}};
   const double last_motion_s = relay->last_motion_s();
-  std::vector<std::unique_ptr<RunningAisle>> started;
+  std::vector<std::string>
+      connections;  // all are there before the first is read: they share a vehicle's file
   for (const auto& [keys, what, more] : refusals)
-    started.push_back(exploring(connection(what.substr(1, 4) + ".yaml", keys)));
+    connections.push_back(connection(what.substr(1, 4) + ".yaml", keys));
+  std::vector<std::unique_ptr<RunningAisle>> started;
+  for (const std::string& file : connections) started.push_back(exploring(file));
   for (std::size_t i = 0; i < refusals.size(); ++i) {
     const ProgramRun run = started[i]->wait();
     EXPECT_EQ(run.exit_code, 2) << run.err;

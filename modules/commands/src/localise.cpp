@@ -13,6 +13,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/learning/walls/relation_error.hpp"
 #include "aisle/missions/statistics.hpp"
+#include "imports/packed_recording.hpp"
 #include "localisation/log_localisation.hpp"
 
 namespace aisle {
@@ -146,14 +147,7 @@ std::string tum_of(const LaserLog& log, const LogPoses& poses) {
   return tum_text(stamps_s, found);
 }
 
-}  // namespace
-
-Outcome localise_parameters() {
-  LocaliserParams params;
-  return parameter_listing("localise", fields_of(params));
-}
-
-Result<Outcome> run_localise(const LocaliseOptions& options, Console& console) {
+Result<Outcome> localise_recording(const LocaliseOptions& options, Console& console) {
   LocaliserParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
@@ -185,6 +179,21 @@ Result<Outcome> run_localise(const LocaliseOptions& options, Console& console) {
     return problems;
   outcome.files["trajectory"] = options.out.string();
   return outcome;
+}
+
+}  // namespace
+
+Outcome localise_parameters() {
+  LocaliserParams params;
+  return parameter_listing("localise", fields_of(params));
+}
+
+Result<Outcome> run_localise(const LocaliseOptions& options, Console& console) {
+  return with_unpacked(options.log, console, [&](const std::filesystem::path& unpacked, Console& renaming) {
+    LocaliseOptions of_unpacked = options;
+    of_unpacked.log = unpacked;
+    return localise_recording(of_unpacked, renaming);
+  });
 }
 
 }  // namespace aisle

@@ -19,6 +19,7 @@
 #include "aisle/learning/walls/relation_error.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "aisle/report/occupancy.hpp"
+#include "imports/packed_recording.hpp"
 #include "settled_log.hpp"
 
 namespace aisle {
@@ -207,14 +208,7 @@ std::string title_of(const std::filesystem::path& log) {
   return name.substr(0, name.find('.'));
 }
 
-}  // namespace
-
-Outcome map_parameters() {
-  MapParams params;
-  return parameter_listing("map", fields_of(params));
-}
-
-Result<Outcome> run_map(const MapOptions& options, Console& console) {
+Result<Outcome> map_recording(const MapOptions& options, Console& console) {
   MapParams params;
   FieldList fields = fields_of(params);
   Problems problems = problems_of(options);
@@ -277,6 +271,21 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
     outcome.text += fmt::format("see {}\n", outcome.files["picture_png"]);
   }
   return outcome;
+}
+
+}  // namespace
+
+Outcome map_parameters() {
+  MapParams params;
+  return parameter_listing("map", fields_of(params));
+}
+
+Result<Outcome> run_map(const MapOptions& options, Console& console) {
+  return with_unpacked(options.log, console, [&](const std::filesystem::path& log, Console& renaming) {
+    MapOptions unpacked = options;
+    unpacked.log = log;
+    return map_recording(unpacked, renaming);
+  });
 }
 
 }  // namespace aisle

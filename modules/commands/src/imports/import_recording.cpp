@@ -12,6 +12,7 @@
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "imports/imported_recording.hpp"
 #include "imports/imported_vehicle.hpp"
+#include "imports/packed_recording.hpp"
 
 namespace aisle {
 namespace {
@@ -123,9 +124,7 @@ Outcome import_outcome(const ImportOptions& options, const ImportedRecording& re
   return outcome;
 }
 
-}  // namespace
-
-Result<Outcome> run_import(const ImportOptions& options, Console& console) {
+Result<Outcome> import_unpacked(const ImportOptions& options, Console& console) {
   std::optional<VehicleDescription> named;
   std::optional<FrontSteered> front_steered;
   if (!options.vehicle.empty()) {
@@ -146,6 +145,17 @@ Result<Outcome> run_import(const ImportOptions& options, Console& console) {
   if (Problems problems = session->finish(); !problems.empty()) return problems;
   warn_of_import(*recording, *vehicle, *session, options, console);
   return import_outcome(options, *recording, *vehicle, *imported);
+}
+
+}  // namespace
+
+Result<Outcome> run_import(const ImportOptions& options, Console& console) {
+  return with_unpacked(options.recording, console,
+                       [&](const std::filesystem::path& unpacked, Console& renaming) {
+                         ImportOptions of_unpacked = options;
+                         of_unpacked.recording = unpacked.string();
+                         return import_unpacked(of_unpacked, renaming);
+                       });
 }
 
 }  // namespace aisle

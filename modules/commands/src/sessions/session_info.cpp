@@ -8,6 +8,7 @@
 #include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/sessions/session_cycles.hpp"
 #include "aisle/formats/sessions/session_summary.hpp"
+#include "imports/packed_recording.hpp"
 #include "sessions/recording_info.hpp"
 
 namespace aisle {
@@ -114,9 +115,7 @@ std::string summary_text(const SessionSummary& summary) {
   return text;
 }
 
-}  // namespace
-
-Result<Outcome> run_session_info(const SessionInfoOptions& options, Console& console) {
+Result<Outcome> info_of(const SessionInfoOptions& options, Console& console) {
   const auto summary = summarise_session(options.input);
   if (!summary && may_be_session(options.input)) return summary.problems();
   const auto cycles = SessionCycles::open(options.input);
@@ -132,6 +131,16 @@ Result<Outcome> run_session_info(const SessionInfoOptions& options, Console& con
   for (const TopicSummary& topic : summary->topics) outcome.figures["topics"].push_back(topic_json(topic));
   outcome.text = summary_text(*summary) + origin_text(*cycles);
   return outcome;
+}
+
+}  // namespace
+
+Result<Outcome> run_session_info(const SessionInfoOptions& options, Console& console) {
+  return with_unpacked(options.input, console, [&](const std::filesystem::path& unpacked, Console& renaming) {
+    SessionInfoOptions of_unpacked = options;
+    of_unpacked.input = unpacked;
+    return info_of(of_unpacked, renaming);
+  });
 }
 
 }  // namespace aisle

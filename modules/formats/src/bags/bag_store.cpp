@@ -9,7 +9,7 @@
 #include "bags/ros1_store.hpp"
 #include "bags/sqlite_store.hpp"
 #include "bags/unpacking.hpp"
-#include "bags/unpacking_directory.hpp"
+#include "unpacking_directory.hpp"
 #include "mcap_records.hpp"
 
 namespace aisle {

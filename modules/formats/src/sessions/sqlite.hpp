@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "aisle/core/result.hpp"
-#include "bags/unpacking_directory.hpp"
+#include "unpacking_directory.hpp"
 
 namespace aisle::sqlite {
 

@@ -1,4 +1,4 @@
-#include "bags/unpacking_directory.hpp"
+#include "unpacking_directory.hpp"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 Result<UnpackingDirectory> UnpackingDirectory::create() {
   std::error_code error;
-  std::string name = (fs::temp_directory_path(error) / "aisle-bag-XXXXXX").string();
+  std::string name = (fs::temp_directory_path(error) / "aisle-unpacked-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr)
     return Problem{{name}, fmt::format("cannot be made: {}", std::strerror(errno))};
   return UnpackingDirectory(name);

@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// A new directory for files that are needed while a bag is read; it goes with the object.
+/// A new directory for files that are needed while a recording is read; it goes with the object.
 class UnpackingDirectory {
  public:
   static Result<UnpackingDirectory> create();
