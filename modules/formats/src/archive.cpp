@@ -56,9 +56,9 @@ std::optional<fs::path> place_in(const fs::path& folder, const char* name) {
 }
 
 /// Unpacks one archive into a folder.
-class Unpacking {
+class ArchiveUnpacking {
  public:
-  Unpacking(const fs::path& file, const fs::path& folder, Progress& progress)
+  ArchiveUnpacking(const fs::path& file, const fs::path& folder, Progress& progress)
       : file_(file), folder_(folder), progress_(progress), packed_bytes_(fs::file_size(file)) {}
 
   /// @return problems: it cannot be used
@@ -183,7 +183,7 @@ Result<UnpackedArchive> UnpackedArchive::open(const fs::path& archive, Progress&
   auto directory = UnpackingDirectory::create();
   if (!directory) return directory.problems();
   UnpackedArchive unpacked(archive, std::move(*directory));
-  Unpacking unpacking(archive, unpacked.folder_, progress);
+  ArchiveUnpacking unpacking(archive, unpacked.folder_, progress);
   if (Problems problems = unpacking.run(); !problems.empty()) return problems;
   unpacked.warnings_ = std::move(unpacking.warnings);
   unpacked.root_ = innermost(unpacked.folder_);
