@@ -9,8 +9,8 @@
 #include "bags/ros1_store.hpp"
 #include "bags/sqlite_store.hpp"
 #include "bags/unpacking.hpp"
-#include "unpacking_directory.hpp"
 #include "mcap_records.hpp"
+#include "unpacking_directory.hpp"
 
 namespace aisle {
 namespace fs = std::filesystem;

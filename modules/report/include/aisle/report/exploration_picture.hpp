@@ -9,9 +9,9 @@
 
 namespace aisle {
 
-/// What was explored and how: free floor white on grey, obstacles dark, walls, the driven path, a ring at each
-/// path that was not taken yet, a disc at those given up or left undone. Drawn to scale, y up, the longer side
-/// 1600 px.
+/// What was explored and how: free floor white on grey, obstacles dark, walls, the driven path, a ring at
+/// each path that was not taken yet, a disc at those given up or left undone. Drawn to scale, y up, the
+/// longer side 1600 px.
 struct ExplorationPicture {
   const FloorGrid& floor;
   const WallMap& walls;
