@@ -38,8 +38,9 @@ Problems RobotIntake::open_camera(Wire& wire, std::size_t which, const VehicleDe
        subscribe(wire, calibration, WireQuality::kSensor, [this, &state](std::string_view bytes) {
          arrive(ros::CameraInfo::kType, [&] {
            auto message = parse_cdr<ros::CameraInfo>(bytes);
-           if (message) state.calibration = std::move(message);
-           return message.has_value();
+           if (!message) return false;
+           state.calibration = std::move(message);
+           return true;
          });
        }))
     problems.push_back(std::move(problem));
