@@ -63,7 +63,7 @@ class HeldRobot : public FaultyRobot {
   void TearDown() override {
     relay->heal();
     if (aisle) expect_it_drives_on(*aisle);
-    if (HasFailure()) end(SIGKILL);  // the next test begins anew
+    if (HasFailure()) end(SIGKILL);  // the next test starts another robot
   }
 
   static ProgramRun end(int signal) {

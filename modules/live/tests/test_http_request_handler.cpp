@@ -75,7 +75,7 @@ TEST_F(RequestHandler, SendsThePageCompressedAndOnlyWhenItChanged) {
   EXPECT_FALSE(page.is_gzip);
   EXPECT_FALSE(page.is_for_ever);
   EXPECT_EQ(ask("/", "\"x\", " + page.tag).status, 304);
-  write("web/index.html", "<html> anew");
+  write("web/index.html", "<html> again");
   EXPECT_EQ(ask("/", page.tag).status, 200);
 }
 

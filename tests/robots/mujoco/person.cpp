@@ -19,7 +19,7 @@ namespace {
 constexpr double kSpeed_mps = 0.3, kTurnRate_radps = 0.6, kAhead_m = 0.5, kThere_m = 0.1, kLate_s = 20;
 constexpr int kDeadManButton = 4, kEndButton = 1;
 
-struct Wish {
+struct RequestedMotion {
   double speed_mps = 0;
   double turn_rate_radps = 0;
 };
@@ -41,7 +41,7 @@ class TourFollower {
 
   bool is_there() const { return next_ == world_.tour.size(); }
 
-  Wish wish(const Pose2& T_world_vehicle) {
+  RequestedMotion requested(const Pose2& T_world_vehicle) {
     while (!is_there() && ahead(T_world_vehicle, world_.tour[next_]) < (is_last() ? kThere_m : kAhead_m))
       ++next_;
     if (is_there()) return {};
@@ -74,10 +74,10 @@ class TourFollower {
   std::size_t next_ = 1;
 };
 
-Joy joystick_for(const Wish& wish, bool is_there) {
+Joy joystick_for(const RequestedMotion& requested, bool is_there) {
   Joy joy;
-  joy.axes = {static_cast<float>(wish.turn_rate_radps / kTurnRate_radps),
-              static_cast<float>(wish.speed_mps / kSpeed_mps)};
+  joy.axes = {static_cast<float>(requested.turn_rate_radps / kTurnRate_radps),
+              static_cast<float>(requested.speed_mps / kSpeed_mps)};
   joy.buttons.resize(5);
   joy.buttons[kDeadManButton] = 1;
   joy.buttons[kEndButton] = is_there ? 1 : 0;
@@ -102,14 +102,15 @@ bool drive(const World& world, unsigned domain, bool by_joystick) {
     if (!message) return false;
     const Pose2 T_odom_vehicle = pose_of(*message);
     if (!T_odom_start) T_odom_start = T_odom_vehicle;
-    const Wish wish = follower.wish(world.T_world_start * inverse(*T_odom_start) * T_odom_vehicle);
+    const RequestedMotion requested =
+        follower.requested(world.T_world_start * inverse(*T_odom_start) * T_odom_vehicle);
     if (follower.is_there()) ++still;
     if (joystick) {
-      joystick->publish(joystick_for(wish, follower.is_there()));
+      joystick->publish(joystick_for(requested, follower.is_there()));
     } else {
       Twist twist;
-      twist.linear.x = wish.speed_mps;
-      twist.angular.z = wish.turn_rate_radps;
+      twist.linear.x = requested.speed_mps;
+      twist.angular.z = requested.turn_rate_radps;
       commands->publish(twist);
     }
   }
