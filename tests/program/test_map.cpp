@@ -165,7 +165,7 @@ TEST_F(Map, CompareSaysHowFarATrajectoryIsOff) {
 
 TEST_F(Map, OfARecordingInAnArchiveIsThatOfTheRecordingAndNamesItByItsPlace) {
   const std::string packed = at("packed.tar.gz");
-  ASSERT_EQ(std::system(("tar -czf " + packed + " -C " + at(".") + " sim").c_str()), 0);
+  ASSERT_EQ(std::system(("tar -czf " + packed + " -C " + at("sim") + " simulated-trip.log").c_str()), 0);
   const ProgramRun alone = run_aisle({"map", log(), "--json"});
   const ProgramRun unpacked = run_aisle({"map", packed, "--json"});
   ASSERT_EQ(unpacked.exit_code, alone.exit_code) << unpacked.err;

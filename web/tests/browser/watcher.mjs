@@ -1,7 +1,5 @@
 // An independent client that watches the vehicle while the page is tested.
 import { spawn } from "node:child_process";
-import { after } from "node:test";
-
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader } from "@foxglove/rosmsg2-serialization";
 import protocol from "@foxglove/ws-protocol";
@@ -69,14 +67,8 @@ export async function hold(page, name) {
   await page.mouse.up();
 }
 
-const started = [];
-
-// A test that failed has stopped nothing, and the file would wait for its vehicle for ever.
-after(() => started.forEach((process_of) => process_of.kill("SIGKILL")));
-
 async function start(program_arguments) {
   const process_of = spawn(process.env.AISLE, program_arguments);
-  started.push(process_of);
   let log = "";
   process_of.stderr.on("data", (data) => (log += data));
   process_of.stdout.resume();
