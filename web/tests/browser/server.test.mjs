@@ -156,7 +156,8 @@ test("Sessions beside foreign files are listed, with the file of each kind", asy
 });
 
 test("A watched verb says how it ended before its program is gone", { timeout: 300000 }, async () => {
-  const watched = await start_watched(["explore", "l-corridor", "--rate", "0"]);
+  // Slow enough for a page to come before it is over.
+  const watched = await start_watched(["explore", "l-corridor", "--rate", "20"]);
   const other = await open_page(browser, watched.address);
   await other.getByText("Last: explore done.").waitFor({ timeout: 240000 });
   await other.getByText("explore has ended and its program is gone").waitFor();
