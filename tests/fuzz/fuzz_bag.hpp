@@ -1,16 +1,13 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "aisle/formats/bags/bag_overview.hpp"
 #include "aisle/formats/bags/laser_bag.hpp"
 #include "aisle/formats/image_sequences/image_sequence.hpp"
-#include "fuzz_input.hpp"
+#include "fuzz_file.hpp"
 
 namespace aisle {
 
@@ -28,14 +25,9 @@ inline void read_images(const std::filesystem::path& bag, const std::string& top
   }
 }
 
-/// Reads the fuzzer's input as a bag whose name ends so, from a memory file system if there is one.
+/// Reads the fuzzer's input as a bag whose name ends so.
 inline void read_as_bag(const std::string& ending, const std::uint8_t* bytes, std::size_t size) {
-  const std::filesystem::path memory = "/dev/shm";
-  std::error_code error;
-  const auto base =
-      std::filesystem::is_directory(memory, error) ? memory : std::filesystem::temp_directory_path();
-  const auto path = base / ("aisle-fuzz-bag-" + std::to_string(::getpid()) + ending);
-  std::ofstream(path, std::ios::binary) << fuzz_text(bytes, size);
+  const auto path = fuzz_file(ending, bytes, size);
   const auto overview = bag_overview(path);
   require(!overview.ok() || overview->messages >= 0);
   for (const auto& topic : overview ? overview->topics : std::vector<BagOverview::Topic>()) {

@@ -189,11 +189,7 @@ Outcome localise_parameters() {
 }
 
 Result<Outcome> run_localise(const LocaliseOptions& options, Console& console) {
-  return with_unpacked(options.log, console, [&](const std::filesystem::path& unpacked, Console& renaming) {
-    LocaliseOptions of_unpacked = options;
-    of_unpacked.log = unpacked;
-    return localise_recording(of_unpacked, renaming);
-  });
+  return with_unpacked(options, &LocaliseOptions::log, console, localise_recording);
 }
 
 }  // namespace aisle

@@ -281,11 +281,7 @@ Outcome map_parameters() {
 }
 
 Result<Outcome> run_map(const MapOptions& options, Console& console) {
-  return with_unpacked(options.log, console, [&](const std::filesystem::path& log, Console& renaming) {
-    MapOptions unpacked = options;
-    unpacked.log = log;
-    return map_recording(unpacked, renaming);
-  });
+  return with_unpacked(options, &MapOptions::log, console, map_recording);
 }
 
 }  // namespace aisle

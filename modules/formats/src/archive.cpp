@@ -74,7 +74,7 @@ class ArchiveUnpacking {
       if (Problems problems = take(entry); !problems.empty()) return problems;
       if (is_damaged_) return damaged();
     }
-    return {};
+    return files_ > 0 ? Problems() : problem("holds no files");
   }
 
   Problems warnings;

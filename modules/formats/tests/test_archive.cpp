@@ -133,6 +133,14 @@ TEST_F(Archives, LinksAreLeftOutWithAWarning) {
   EXPECT_EQ(unpacked->root().filename(), "a.log") << "nothing else was unpacked";
 }
 
+TEST_F(Archives, WithoutAFileAreRefused) {
+  constexpr char kFolderEntry = '5';
+  EXPECT_THAT(why_not(file("folder.tar", tar_of(tar_entry("lab/", "", kFolderEntry)))),
+              HasSubstr("holds no files"));
+  EXPECT_THAT(why_not(file("link.tar", tar_of(tar_entry("passwd", "", kLinkEntry, "/etc/passwd")))),
+              HasSubstr("holds no files"));
+}
+
 TEST_F(Archives, BombsAndMultitudesAreRefused) {
   EXPECT_THAT(why_not(gzip_file("bomb.tar.gz", tar_of(tar_entry("zeros.log", std::string(48 << 20, '\0'))))),
               HasSubstr("times its size"));

@@ -150,12 +150,7 @@ Result<Outcome> import_unpacked(const ImportOptions& options, Console& console) 
 }  // namespace
 
 Result<Outcome> run_import(const ImportOptions& options, Console& console) {
-  return with_unpacked(options.recording, console,
-                       [&](const std::filesystem::path& unpacked, Console& renaming) {
-                         ImportOptions of_unpacked = options;
-                         of_unpacked.recording = unpacked.string();
-                         return import_unpacked(of_unpacked, renaming);
-                       });
+  return with_unpacked(options, &ImportOptions::recording, console, import_unpacked);
 }
 
 }  // namespace aisle

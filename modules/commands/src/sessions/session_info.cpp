@@ -136,11 +136,7 @@ Result<Outcome> info_of(const SessionInfoOptions& options, Console& console) {
 }  // namespace
 
 Result<Outcome> run_session_info(const SessionInfoOptions& options, Console& console) {
-  return with_unpacked(options.input, console, [&](const std::filesystem::path& unpacked, Console& renaming) {
-    SessionInfoOptions of_unpacked = options;
-    of_unpacked.input = unpacked;
-    return info_of(of_unpacked, renaming);
-  });
+  return with_unpacked(options, &SessionInfoOptions::input, console, info_of);
 }
 
 }  // namespace aisle

@@ -11,7 +11,7 @@ namespace aisle {
 
 class UnpackingDirectory;
 
-/// Whether a file is such an archive, by its content.
+/// Whether a file is such an archive: by its content, a tar in xz or zstd by its name.
 bool is_archive(const std::filesystem::path& file);
 
 /// The files of an archive, in a folder of their own that goes with this object.
