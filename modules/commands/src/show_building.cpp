@@ -7,7 +7,6 @@
 #include "aisle/commands/known_building.hpp"
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/core/rounded.hpp"
-#include "aisle/core/square.hpp"
 #include "aisle/report/building_picture.hpp"
 
 namespace aisle {
@@ -15,15 +14,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-double wall_length_m(const Building& building) {
-  double sum_m = 0;
-  for (const Wall& wall : building.walls.walls) sum_m += wall.segment.length();
-  return sum_m;
-}
-
 double free_m2(const Building& building) {
-  if (!building.floor) return 0;
-  return static_cast<double>(building.floor->count(Floor::kFree)) * square(building.floor->cell_m());
+  return building.floor ? building.floor->free_m2() : 0;
 }
 
 /// The methods that can drive in it.
@@ -55,7 +47,7 @@ Outcome described(const Building& building) {
   const std::vector<std::string> verbs = drivable_by(building);
   outcome.figures = {{"name", building.name},
                      {"walls", building.walls.walls.size()},
-                     {"wall_m", rounded(wall_length_m(building), 2)},
+                     {"wall_m", rounded(building.walls.length_m(), 2)},
                      {"free_m2", rounded(free_m2(building), 1)},
                      {"corridors", building.corridors.corridors.size()},
                      {"corridors_m", rounded(building.corridors.length_m(), 1)},
@@ -67,7 +59,7 @@ Outcome described(const Building& building) {
   outcome.text = fmt::format(
       "{}: {:.1f} m2 of free floor\n"
       "  walls: {} ({:.1f} m), corridors: {} ({:.1f} m), landmarks: {}, lines drawn by a person: {}\n",
-      building.name, free_m2(building), building.walls.walls.size(), wall_length_m(building),
+      building.name, free_m2(building), building.walls.walls.size(), building.walls.length_m(),
       building.corridors.corridors.size(), building.corridors.length_m(), building.landmarks.size(),
       building.barriers.size());
   if (!place_names.empty()) outcome.text += fmt::format("  places: {}\n", fmt::join(place_names, ", "));

@@ -164,8 +164,9 @@ class BuildingDrawing {
     for (std::size_t i = 0; i < nodes.size(); ++i)
       canvas.text(scale_.to_paper(nodes[i].p_map) + beside, building_.corridors.name_of(i), kNodeFont);
     for (const Route& route : building_.routes) {
-      const std::vector<Vec2> points = points_on(route.path);
-      if (!points.empty()) canvas.text(scale_.to_paper(points.front()) + beside, route.name, kRouteFont);
+      if (route.path.empty()) continue;
+      const Vec2 p_start = route.path.at(0).T_map_path.position();
+      canvas.text(scale_.to_paper(p_start) + beside, route.name, kRouteFont);
     }
     for (const MapPlace& place : building_.places) {
       const Vec2 centre = scale_.to_paper(place.T_map_place.position());
