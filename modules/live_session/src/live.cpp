@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "live_control.hpp"
@@ -17,7 +19,7 @@ namespace {
 
 /// How long clients may take to hear how a watched mission ended before the program is gone.
 constexpr double kGoodbyeMax_s = 10;
-constexpr double kGoodbyePoll_s = 0.02;
+constexpr std::chrono::milliseconds kGoodbyePoll{20};
 
 DriveOptions::KeyOperator hand_of(LiveControl& control) {
   return [&control](const VehicleDescription&, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
@@ -25,11 +27,11 @@ DriveOptions::KeyOperator hand_of(LiveControl& control) {
   };
 }
 
-void say_goodbye(LiveServer& server, LiveControl& control) {
+void say_goodbye(LiveServer& server) {
   const SteadyClock clock;
   const double end_s = clock.now_s() + kGoodbyeMax_s;
   server.say_goodbye();
-  while (server.clients() > 0 && clock.now_s() < end_s) control.serve(kGoodbyePoll_s);
+  while (server.clients() > 0 && clock.now_s() < end_s) std::this_thread::sleep_for(kGoodbyePoll);
 }
 
 /// A vehicle that drives one mission after the other, as clients request them.
@@ -173,7 +175,7 @@ Result<Outcome> run_watched(const LiveListening& listening, const std::string& v
   control.state().mode = "ended";
   control.state().last = live_end(verb, outcome);
   control.serve(0);
-  say_goodbye((*site)->server(), control);
+  say_goodbye((*site)->server());
   return outcome;
 }
 
