@@ -69,6 +69,7 @@ Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, con
        {"places", sent.p_map_places.size()},
        {"places_reached", navigator.places_reached()},
        {"ways_closed", navigator.ways_closed()},
+       {"times_lost", driver.times_lost()},
        {"distance_m", rounded(result->distance_m(), 3)},
        {"shortest_m", rounded(sent.shortest_m, 3)},
        {"collisions", if_known(result->collisions())},

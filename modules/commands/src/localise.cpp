@@ -54,7 +54,7 @@ Json mean_json(const MeanAndDeviation& m, double unit) {
   return {{"mean", rounded(m.mean / unit, 5)}, {"std", rounded(m.deviation / unit, 5)}};
 }
 
-Json places_json(const std::vector<PlaceCandidate>& places) {
+Json places_json(std::span<const PlaceCandidate> places) {
   Json list = Json::array();
   for (const PlaceCandidate& place : places) {
     const Pose2& T = place.T_map_vehicle;

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace aisle {
 namespace {
@@ -34,8 +35,8 @@ const char* name_of(LocaliserState state) {
 void LocaliserParams::describe(FieldList& fields) {
   fields.group("view", view);
   fields.group("search", search);
-  fields.real("search_every_m", search_every_m, {0.05, 10}, "it searches again after this path");
-  fields.angle("search_every_deg", search_every_rad, {1, 180}, "it searches again after this turn");
+  fields.real("search_every_m", search_every_m, {0.05, 10}, "it judges its places again after this path");
+  fields.angle("search_every_deg", search_every_rad, {1, 180}, "likewise after this turn");
   fields.real("view_min_m", view_min_m, {0.5, 100}, "it searches with so much surface in view");
   fields.real("not_here_view_m", not_here_view_m, {1, 1000},
               "a view with so much surface that fits nowhere is of another building");
@@ -49,7 +50,7 @@ void LocaliserParams::describe(FieldList& fields) {
 }
 
 Localiser::Localiser(const LocaliserParams& params, const Building& building)
-    : params_(params), field_(building), map_(field_), view_(params.view) {}
+    : params_(params), field_(building), map_(field_), view_(params.view), places_(params.search) {}
 
 void Localiser::take_hint(const Pose2& T_map_vehicle) {
   T_map_hint_ = T_map_vehicle;
@@ -63,83 +64,107 @@ void Localiser::take_scan(const LocaliserScan& scan, const UncertainPose2& T_las
     return;
   }
   carry(T_last_now.mean);
-  if (is_new_view && is_time_to_search()) search();
+  look_for_itself(is_new_view);
   if (is_found()) explained_s_ = scan.stamp_s;
 }
 
 void Localiser::carry(const Pose2& T_last_now) {
-  for (PlaceCandidate& place : last_.places) place.T_map_vehicle = place.T_map_vehicle * T_last_now;
-  if (T_map_alone_) T_map_alone_ = *T_map_alone_ * T_last_now;
+  places_.carry(T_last_now);
+  T_begun_now_ = T_begun_now_ * T_last_now;
+  if (T_map_leader_) T_map_leader_ = *T_map_leader_ * T_last_now;
   if (T_map_hint_) T_map_hint_ = *T_map_hint_ * T_last_now;
 }
 
-bool Localiser::is_time_to_search() const {
-  return !has_searched_ || view_.path_m() - searched_path_m_ >= params_.search_every_m ||
-         view_.turned_rad() - searched_turned_rad_ >= params_.search_every_rad;
+void Localiser::look_for_itself(bool is_new_view) {
+  const bool was_searching = search_.has_value();
+  if (was_searching) {
+    if (!search_->advance()) return;
+    take_found_places();
+  } else if (!is_new_view || !is_time_to_judge()) {
+    return;
+  }
+  const SurfaceView view = view_of(view_.beams(), params_.view.thin_m);
+  if (view.surface_m() < params_.view_min_m) return;
+  look_again(view);
+  judge(view);
+  if (was_searching || is_found() || knows_all_) return;
+  search_.emplace(field_, map_, view, places_, params_.search);
+  T_begun_now_ = {};
 }
 
-void Localiser::search() {
-  const std::vector<ViewBeam> beams = view_.beams();
-  const double piece_m = params_.view.thin_m;
-  if (piece_m * static_cast<double>(beams.size()) < params_.view_min_m) return;
-  has_searched_ = true;
-  searched_path_m_ = view_.path_m();
-  searched_turned_rad_ = view_.turned_rad();
-  last_ = find_places(field_, map_, beams, piece_m, params_.search);
-  judge(told_place(beams));
+bool Localiser::is_time_to_judge() const {
+  return state_ == LocaliserState::kSearching || state_ == LocaliserState::kLost ||
+         view_.path_m() - judged_path_m_ >= params_.search_every_m ||
+         view_.turned_rad() - judged_turned_rad_ >= params_.search_every_rad;
+}
+
+void Localiser::take_found_places() {
+  places_ = search_->places();
+  knows_all_ = search_->is_complete();
+  const bool fits_nowhere = knows_all_ && places_.empty() && search_->view_m() >= params_.not_here_view_m;
+  if (fits_nowhere && state_ != LocaliserState::kLost) state_ = LocaliserState::kNotHere;
+  T_map_leader_.reset();
+  places_.carry(T_begun_now_);
+  search_.reset();
+}
+
+/// Where the places are by what is seen now; those that it does not fit are dropped.
+void Localiser::look_again(const SurfaceView& view) {
+  judged_path_m_ = view_.path_m();
+  judged_turned_rad_ = view_.turned_rad();
+  PlaceCandidates left(params_.search);
+  for (const PlaceCandidate& place : places_.all()) {
+    if (const auto settled = settle(field_, view, place.T_map_vehicle, params_.search)) left.add(*settled);
+  }
+  places_ = std::move(left);
+  knows_all_ = knows_all_ && !places_.empty();
 }
 
 /// The place that the hint means, if it fits no worse than the best.
-std::optional<PlaceCandidate> Localiser::told_place(std::span<const ViewBeam> beams) {
-  if (!T_map_hint_ || last_.places.empty()) return std::nullopt;
-  const auto is_meant = [&](const PlaceCandidate& place) {
+std::optional<PlaceCandidate> Localiser::told_place(const SurfaceView& view) {
+  if (!T_map_hint_ || places_.empty()) return std::nullopt;
+  PlaceCandidates meant(params_.search);
+  const auto add_if_meant = [&](const PlaceCandidate& place) {
     const Pose2 off = between(*T_map_hint_, place.T_map_vehicle);
-    return off.position().norm() < params_.hint_m && std::abs(off.theta) < params_.hint_rad;
+    if (off.position().norm() < params_.hint_m && std::abs(off.theta) < params_.hint_rad) meant.add(place);
   };
-  std::vector<Vec2> hits;
-  for (const ViewBeam& beam : beams) hits.push_back(beam.p_hit);
-  const SurfaceAlignment laid =
-      align_to_surfaces(field_, hits, beams.front().p_laser, *T_map_hint_, Mat3::Zero());
-  const ViewFit fit = fit_of(field_, beams, params_.view.thin_m, laid.T_map_vehicle, params_.search.fit);
-  std::vector<PlaceCandidate> meant{{laid.T_map_vehicle, laid.information, fit}};
-  std::copy_if(last_.places.begin(), last_.places.end(), std::back_inserter(meant), is_meant);
-  const auto best = std::min_element(meant.begin(), meant.end(), [](const auto& a, const auto& b) {
-    return a.fit.misfit_m < b.fit.misfit_m;
-  });
-  if (is_meant(*best) && best->fit.explained_share() >= params_.search.explained_min &&
-      best->fit.misfit_m <= last_.misfit_max_m)
-    return *best;
+  if (const auto place = settle(field_, view, *T_map_hint_, params_.search)) add_if_meant(*place);
+  std::for_each(places_.all().begin(), places_.all().end(), add_if_meant);
+  if (!meant.empty() && meant.all().front().fit.misfit_m <= places_.misfit_max_m())
+    return meant.all().front();
   T_map_hint_.reset();
   hint_was_wrong_ = true;
   return std::nullopt;
 }
 
-void Localiser::judge(const std::optional<PlaceCandidate>& told) {
-  if (told) {
-    believe(*told);
-    return;
+/// The only place that this view allows, and the last one as well.
+std::optional<PlaceCandidate> Localiser::confirmed_place() {
+  const auto rivals = places_.rivals();
+  const std::optional<Pose2> T_map_last = std::exchange(T_map_leader_, std::nullopt);
+  if (!knows_all_ || rivals.size() != 1) return std::nullopt;
+  T_map_leader_ = rivals.front().T_map_vehicle;
+  if (!T_map_last || !is_same_place(*T_map_last, *T_map_leader_, params_.search)) return std::nullopt;
+  return rivals.front();
+}
+
+void Localiser::judge(const SurfaceView& view) {
+  auto place = told_place(view);
+  if (!place) place = confirmed_place();
+  if (place) {
+    believe(*place);
+  } else if (!places_.empty()) {
+    state_ = LocaliserState::kAmbiguous;
+  } else if (state_ == LocaliserState::kAmbiguous) {
+    state_ = LocaliserState::kSearching;
   }
-  const bool is_alone = last_.is_complete && last_.places.size() == 1;
-  if (is_alone && T_map_alone_ &&
-      is_same_place(*T_map_alone_, last_.places.front().T_map_vehicle, params_.search)) {
-    believe(last_.places.front());
-    return;
-  }
-  T_map_alone_.reset();
-  if (is_alone) T_map_alone_ = last_.places.front().T_map_vehicle;
-  if (state_ == LocaliserState::kLost && last_.places.empty()) return;
-  const bool fits_nowhere =
-      last_.is_complete && last_.places.empty() && last_.view_m >= params_.not_here_view_m;
-  state_ = fits_nowhere           ? LocaliserState::kNotHere
-           : last_.places.empty() ? LocaliserState::kSearching
-                                  : LocaliserState::kAmbiguous;
 }
 
 void Localiser::believe(const PlaceCandidate& place) {
   T_map_vehicle_ = {place.T_map_vehicle, covariance_of(place.information)};
   T_map_hint_.reset();
-  T_map_alone_.reset();
-  last_ = {};
+  T_map_leader_.reset();
+  places_ = PlaceCandidates(params_.search);
+  knows_all_ = false;
   state_ = LocaliserState::kFound;
 }
 
@@ -165,7 +190,6 @@ void Localiser::track(const LocaliserScan& scan, const UncertainPose2& T_last_no
   if (scan.stamp_s - explained_s_ <= params_.lost_s && drift_m <= params_.drift_max_m) return;
   state_ = LocaliserState::kLost;
   view_.clear();
-  has_searched_ = false;
 }
 
 }  // namespace aisle

@@ -29,6 +29,8 @@ class Drive {
   void stand(int scans) {
     for (int i = 0; i < scans; ++i) see({});
   }
+  /// Stands until a search of the whole building has ended.
+  void let_it_search() { stand(kScansOfSearch); }
   /// Somebody carries the vehicle away.
   void be_carried_to(const Pose2& T_map_vehicle) { T_map_vehicle_ = T_map_vehicle; }
 
@@ -42,6 +44,8 @@ class Drive {
   }
 
  private:
+  static constexpr int kScansOfSearch = 100;
+
   void see(const Pose2& step) {
     T_map_vehicle_ = T_map_vehicle_ * step;
     time_s_ += 0.2;
@@ -63,6 +67,7 @@ TEST(Localiser, FindsItselfAnywhereInARoomWithoutLookAlikes) {
   for (int i = 0; i < 12; ++i) {
     const Pose2 start{random.uniform(0.5, 4.5), random.uniform(3.2, 4.5), random.uniform(-kPi, kPi)};
     Drive drive(building, building, start);
+    drive.let_it_search();
     EXPECT_FALSE(drive.localiser().is_found()) << "one view alone is not believed";
     drive.turn(30 * kDegree);
     ASSERT_EQ(drive.state(), LocaliserState::kFound) << "start " << i;
@@ -74,6 +79,7 @@ TEST(Localiser, FindsItselfAnywhereInARoomWithoutLookAlikes) {
 TEST(Localiser, IsNeverSureInASymmetricRoom) {
   const Building building = hand::bare_room();
   Drive drive(building, building, {3, 2, 0.4});
+  drive.let_it_search();
   drive.turn(2 * kPi);
   drive.go(2);
   EXPECT_EQ(drive.state(), LocaliserState::kAmbiguous);
@@ -85,6 +91,7 @@ TEST(Localiser, BelievesAHintWhereSeveralPlacesFit) {
   const Building building = hand::bare_room();
   Drive drive(building, building, {3, 2, 0.4});
   drive.localiser().take_hint({3.3, 1.8, 0.3});
+  drive.let_it_search();
   drive.turn(30 * kDegree);
   ASSERT_EQ(drive.state(), LocaliserState::kFound);
   EXPECT_LT(drive.off_m(), 0.01);
@@ -94,6 +101,7 @@ TEST(Localiser, DoesNotBelieveAHintThatTheWallsRefute) {
   const Building building = hand::l_room();
   Drive drive(building, building, {2, 4, 0.4});
   drive.localiser().take_hint({9, 2, 0.4});
+  drive.let_it_search();
   drive.turn(45 * kDegree);
   EXPECT_TRUE(drive.localiser().hint_was_wrong());
   ASSERT_EQ(drive.state(), LocaliserState::kFound) << "finds itself all the same";
@@ -103,6 +111,7 @@ TEST(Localiser, DoesNotBelieveAHintThatTheWallsRefute) {
 TEST(Localiser, IsNotSureBetweenLookAlikesUntilSomethingTellsThemApart) {
   const Building building = hand::corridor_with_alcoves();
   Drive drive(building, building, {10, 1, 0}, 3);  // it sees 3 m far
+  drive.let_it_search();
   drive.turn(30 * kDegree);
   drive.turn(-30 * kDegree);
   drive.go(2);
@@ -117,6 +126,7 @@ TEST(Localiser, IsNotSureBetweenLookAlikesUntilSomethingTellsThemApart) {
 TEST(Localiser, SaysThatThisIsAnotherBuilding) {
   const Building world = hand::l_room(), known = hand::corridor_with_alcoves();
   Drive drive(world, known, {7, 2, 0.4});
+  drive.let_it_search();
   drive.turn(kPi);
   EXPECT_EQ(drive.state(), LocaliserState::kNotHere);
 }
@@ -124,11 +134,13 @@ TEST(Localiser, SaysThatThisIsAnotherBuilding) {
 TEST(Localiser, NoticesThatItWasCarriedAwayAndFindsItselfAgain) {
   const Building building = hand::l_room();
   Drive drive(building, building, {2, 4, 0.4});
+  drive.let_it_search();
   drive.turn(30 * kDegree);
   ASSERT_EQ(drive.state(), LocaliserState::kFound);
   drive.be_carried_to({10.2, 1.4, 1.9});
   drive.stand(20);
   EXPECT_FALSE(drive.localiser().is_found());
+  drive.let_it_search();
   drive.turn(60 * kDegree);
   ASSERT_EQ(drive.state(), LocaliserState::kFound);
   EXPECT_LT(drive.off_m(), 0.01);
@@ -137,6 +149,7 @@ TEST(Localiser, NoticesThatItWasCarriedAwayAndFindsItselfAgain) {
 TEST(Localiser, FollowsTheVehicleToTheCentimetre) {
   const Building building = hand::l_room();
   Drive drive(building, building, {2, 3.5, 0});
+  drive.let_it_search();
   drive.turn(30 * kDegree);
   drive.turn(-30 * kDegree);
   for (int i = 0; i < 6; ++i) {

@@ -55,9 +55,8 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
     : params_(params),
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
-      walls_(building.walls),
-      localiser_(params.localiser, sensor_->scanner(), walls_, about_start(T_map_start, params)),
-      has_barriers_(!building.barriers.empty()),
+      building_(building),
+      localiser_(params.localiser, sensor_->scanner(), building.walls, about_start(T_map_start, params)),
       floor_(floor_of(building, params.legs)),
       search_(params.search, vehicle),
       driver_(vehicle, params.steering, params.speed),
@@ -86,16 +85,16 @@ void GuideNavigator::send_to(std::vector<Vec2> p_map_places, double stamp_s) {
 }
 
 void GuideNavigator::relocate(const Pose2& T_map_vehicle, double stamp_s) {
-  localiser_.begin_at(about_start(T_map_vehicle, params_));
-  T_map_vehicle_ = T_map_vehicle;
-  T_scan_vehicle_ = {};
-  localised_s_ = progress_s_ = stamp_s;
-  drop_path();
+  begin_at(about_start(T_map_vehicle, params_), stamp_s);
 }
 
-void GuideNavigator::begin_at(const UncertainPose2& T_map_vehicle) {
+void GuideNavigator::begin_at(const UncertainPose2& T_map_vehicle, double stamp_s) {
   localiser_.begin_at(T_map_vehicle);
   T_map_vehicle_ = T_map_vehicle.mean;
+  T_scan_vehicle_ = {};
+  localised_s_ = progress_s_ = stamp_s;
+  floor_ = floor_of(building_, params_.legs);
+  drop_path();
 }
 
 void GuideNavigator::locate(const Observation& observation) {
@@ -122,12 +121,11 @@ void GuideNavigator::look_at_floor(double stamp_s) {
 
 std::string GuideNavigator::why_failed(const Observation& observation) {
   if (observation.bumper_pressed) return "the bumper is pressed";
-  if (observation.stamp_s - localised_s_ > params_.lost_s)
-    return "lost: what it sees fits no walls that it knows";
+  if (is_lost(observation.stamp_s)) return "lost: what it sees fits no walls that it knows";
   if (next_ == p_map_places_.size() || observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
   const Vec2& p = p_map_places_[next_];
   return fmt::format("there is no path to {:.1f}, {:.1f}{}", p.x(), p.y(),
-                     has_barriers_ ? " that crosses neither keep-out lines nor glass" : "");
+                     !building_.barriers.empty() ? " that crosses neither keep-out lines nor glass" : "");
 }
 
 /// Something may have come into the path.

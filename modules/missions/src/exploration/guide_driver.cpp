@@ -16,6 +16,7 @@ namespace aisle {
 namespace {
 
 constexpr int kRoundsMax = 1000;
+constexpr std::size_t kTimesLostMax = 3;  // then the building is not what it was
 
 Problem place_problem(const std::string& what) {
   return {{"", 0, "PLACE"}, what};
@@ -185,18 +186,36 @@ Result<std::unique_ptr<GuideDriver>> GuideDriver::make(const SessionOrigin& orig
 
 GuideDriver::GuideDriver(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
                          Building building, Goal goal, const MissionStart& start)
-    : building_(std::move(building)),
+    : vehicle_(vehicle),
+      building_(std::move(building)),
       goal_(std::move(goal)),
       navigator_(params, vehicle, building_, home_of(building_), goal_.p_map_places, scanner_scans(vehicle)) {
-  if (!start.is_home())
-    finder_ = std::make_unique<PlaceFinder>(PlaceFinderParams{}, vehicle, building_, start.T_map_hint);
+  if (!start.is_home()) begin_finding(start.T_map_hint);
 }
 
 Decision GuideDriver::step(const Observation& observation) {
-  if (!finder_) return navigator_.step(observation);
+  if (finder_) return find(observation);
+  Decision decision = navigator_.step(observation);
+  if (!navigator_.is_lost(observation.stamp_s) || observation.bumper_pressed) return decision;
+  if (++times_lost_ > kTimesLostMax) {
+    decision.why =
+        fmt::format("lost for the {}th time: what it sees does not fit this building", times_lost_);
+    return decision;
+  }
+  begin_finding({});
+  return {.state = "lost"};
+}
+
+void GuideDriver::begin_finding(const std::optional<Pose2>& T_map_hint) {
+  finder_ = std::make_unique<PlaceFinder>(PlaceFinderParams{}, vehicle_, building_, T_map_hint);
+}
+
+Decision GuideDriver::find(const Observation& observation) {
   Decision decision = finder_->step(observation);
+  if (decision.status == NavigatorStatus::kFailed && times_lost_ > 0)
+    decision.why = "lost on the way, and " + decision.why;
   if (decision.status != NavigatorStatus::kDone) return decision;
-  navigator_.begin_at(finder_->localiser().T_map_vehicle());
+  navigator_.begin_at(finder_->localiser().T_map_vehicle(), observation.stamp_s);
   finder_.reset();
   return {.state = "found"};
 }

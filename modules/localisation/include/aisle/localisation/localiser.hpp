@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "aisle/core/parameters.hpp"
-#include "aisle/localisation/place_candidates.hpp"
+#include "aisle/localisation/place_search.hpp"
 
 namespace aisle {
 
 struct LocaliserParams {
   LocalViewParams view;
   PlaceSearchParams search;
-  double search_every_m = 0.3;  ///< it searches again after this path, or ...
+  double search_every_m = 0.3;  ///< it judges its places by a new view after this path, or ...
   double search_every_rad = 15 * kDegree;
   double view_min_m = 6;        ///< with less surface in view it does not search
   double not_here_view_m = 15;  ///< a view with so much surface that fits nowhere is of another building
@@ -45,11 +45,14 @@ struct LocaliserScan {
 };
 
 /// Finds a vehicle in a known building from no guess at all, then tracks it, and notices when it is lost.
-/// Only poses that nothing else in the building rivals are called found.
+/// One search of the whole building, a slice with each scan, yields all places where the vehicle may be; each
+/// new view judges them again. Only a place that nothing else in the building rivals is called found.
 class Localiser {
  public:
   /// @throws std::invalid_argument if the building has no surfaces
   Localiser(const LocaliserParams& params, const Building& building);
+  Localiser(const Localiser&) = delete;
+  Localiser& operator=(const Localiser&) = delete;
 
   /// Somebody says that the vehicle is about here. Tells places apart that fit alike; believed only where
   /// what is seen fits.
@@ -63,9 +66,9 @@ class Localiser {
   /// Where it is, while it is found.
   const UncertainPose2& T_map_vehicle() const { return T_map_vehicle_; }
   /// Where it may be, while it is not found; the best first.
-  const std::vector<PlaceCandidate>& places() const { return last_.places; }
+  std::span<const PlaceCandidate> places() const { return places_.rivals(); }
   /// All places that fit are in `places()`.
-  bool knows_all_places() const { return last_.is_complete; }
+  bool knows_all_places() const { return knows_all_; }
   /// The hint did not fit what is seen.
   bool hint_was_wrong() const { return hint_was_wrong_; }
   /// Of the last scan's beams that ended in the known building, the share that it explains, while it is
@@ -74,10 +77,13 @@ class Localiser {
 
  private:
   void carry(const Pose2& T_last_now);
-  bool is_time_to_search() const;
-  void search();
-  std::optional<PlaceCandidate> told_place(std::span<const ViewBeam> beams);
-  void judge(const std::optional<PlaceCandidate>& told);
+  void look_for_itself(bool is_new_view);
+  bool is_time_to_judge() const;
+  void take_found_places();
+  void look_again(const SurfaceView& view);
+  std::optional<PlaceCandidate> told_place(const SurfaceView& view);
+  void judge(const SurfaceView& view);
+  std::optional<PlaceCandidate> confirmed_place();
   void believe(const PlaceCandidate& place);
   void track(const LocaliserScan& scan, const UncertainPose2& T_last_now);
   void choose_hits(std::span<const Vec2> hits);
@@ -88,12 +94,14 @@ class Localiser {
   LocalView view_;
   LocaliserState state_ = LocaliserState::kSearching;
   bool hint_was_wrong_ = false;
-  bool has_searched_ = false;
-  PlaceSearch last_;                  ///< carried on by odometry
-  std::optional<Pose2> T_map_alone_;  ///< the only place that fitted the last view
+  std::optional<PlaceSearch> search_;  ///< under way
+  Pose2 T_begun_now_;                  ///< the motion since it began
+  PlaceCandidates places_;             ///< carried on by odometry
+  bool knows_all_ = false;             ///< the vehicle is at one of `places_`
+  std::optional<Pose2> T_map_leader_;  ///< the only place that the last view allowed
   std::optional<Pose2> T_map_hint_;
-  double searched_path_m_ = 0;
-  double searched_turned_rad_ = 0;
+  double judged_path_m_ = 0;
+  double judged_turned_rad_ = 0;
   UncertainPose2 T_map_vehicle_;
   double explained_share_ = 0;
   double explained_s_ = 0;  ///< when a scan was last explained

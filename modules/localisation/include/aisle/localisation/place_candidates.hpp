@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "aisle/core/parameters.hpp"
-#include "aisle/localisation/pose_search.hpp"
 #include "aisle/localisation/view_fit.hpp"
 
 namespace aisle {
@@ -16,15 +15,27 @@ struct PlaceSearchParams {
   double margin_m = 2;           ///< surface by which the best place must be ahead of every other, and ...
   double margin_deviations = 3;  ///< ... so many standard deviations of what chance makes of its misfit
   double chance_m = 0.5;  ///< pieces of surface this far apart are explained or not, each by its own chance
-  double apart_m = 0.5;   ///< poses nearer than this ...
-  double apart_rad = 15 * kDegree;  ///< ... and this are one place
+  double apart_m = 0.3;   ///< poses nearer than this, from where they settle at one another, and ...
+  double apart_rad = 15 * kDegree;  ///< ... this are one place
   int hits = 160;                   ///< of the view, for the search
   int places_max = 50;              ///< with more, the search is cut short
-  int nodes_max = 4000000;
-  int rival_nodes = 200000;  ///< once two places fit, it looks for more of them this far only
+  int nodes_max = 4000000;          ///< likewise
+  int nodes_per_scan = 20000;       ///< that it looks at before it lets the vehicle's cycle go on
 
   void describe(FieldList& fields);
 };
+
+/// What was seen, as places are judged by it: in the vehicle's frame.
+struct SurfaceView {
+  std::vector<ViewBeam> beams;
+  std::vector<Vec2> hits;  ///< of all beams
+  double piece_m = 0;      ///< surface that each stands for
+
+  double surface_m() const { return piece_m * static_cast<double>(beams.size()); }
+};
+
+/// @param piece_m  surface that each beam stands for
+SurfaceView view_of(std::vector<ViewBeam> beams, double piece_m);
 
 /// A place where the vehicle may be.
 struct PlaceCandidate {
@@ -33,22 +44,34 @@ struct PlaceCandidate {
   ViewFit fit;
 };
 
-/// Where a view fits a building.
-struct PlaceSearch {
-  std::vector<PlaceCandidate> places;  ///< the best one, and all that are not clearly worse; the best first
-  bool is_complete = false;            ///< no other place fits: every pose was looked at
-  double view_m = 0;                   ///< surface in the view
-  double misfit_max_m = 0;             ///< a place with more is no rival of the best
-  std::size_t nodes = 0;               ///< that the search looked at
-};
+/// The place at which a pose settles on the building's surfaces. @return none: the view does not fit there
+std::optional<PlaceCandidate> settle(const SurfaceField& field, const SurfaceView& view,
+                                     const Pose2& T_map_guess, const PlaceSearchParams& params);
 
 /// Whether two poses are the same place.
 bool is_same_place(const Pose2& a, const Pose2& b, const PlaceSearchParams& params);
 
-/// Searches the whole building.
-/// @param beams    in the vehicle's frame
-/// @param piece_m  surface that each stands for
-PlaceSearch find_places(const SurfaceField& field, const LikelihoodPyramid& map,
-                        std::span<const ViewBeam> beams, double piece_m, const PlaceSearchParams& params);
+/// Places that one view allows, each once, the best first.
+class PlaceCandidates {
+ public:
+  explicit PlaceCandidates(const PlaceSearchParams& params) : params_(params) {}
+
+  /// Of two at the same place the better one stays.
+  void add(const PlaceCandidate& place);
+  void drop_beaten() { places_.resize(rivals().size()); }
+  /// The vehicle has moved.
+  void carry(const Pose2& T_last_now);
+
+  /// The best one, and all that are not clearly worse.
+  std::span<const PlaceCandidate> rivals() const;
+  std::span<const PlaceCandidate> all() const { return places_; }
+  bool empty() const { return places_.empty(); }
+  /// A place with a greater misfit is clearly worse than the best; infinite, if there is none.
+  double misfit_max_m() const;
+
+ private:
+  PlaceSearchParams params_;
+  std::vector<PlaceCandidate> places_;
+};
 
 }  // namespace aisle

@@ -57,8 +57,11 @@ class GuideNavigator final : public Navigator {
   void send_to(std::vector<Vec2> p_map_places, double stamp_s);
   /// It is somewhere else than it believed.
   void relocate(const Pose2& T_map_vehicle, double stamp_s);
-  /// The vehicle is here, as somebody has found out before the first step.
-  void begin_at(const UncertainPose2& T_map_vehicle);
+  /// The vehicle is here, as somebody has found out. What it saw before may have been elsewhere: the floor is
+  /// again as it was learned.
+  void begin_at(const UncertainPose2& T_map_vehicle, double stamp_s);
+  /// What it sees has fitted no walls that it knows for `lost_s`; its last decision was to fail.
+  bool is_lost(double stamp_s) const { return stamp_s - localised_s_ > params_.lost_s; }
 
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const WallLocaliser& localiser() const { return localiser_; }
@@ -84,9 +87,8 @@ class GuideNavigator final : public Navigator {
   GuideNavigatorParams params_;
   VehicleDescription vehicle_;
   std::unique_ptr<ScanSource> sensor_;
-  const WallMap& walls_;
+  const Building& building_;
   WallLocaliser localiser_;
-  bool has_barriers_;
   KnownFloor floor_;
   StagedSearch search_;
   PathDriver driver_;

@@ -64,20 +64,26 @@ class GuideDriver final : public Navigator {
   GuideDriver(const GuideDriver&) = delete;
   GuideDriver& operator=(const GuideDriver&) = delete;
 
-  /// Finds the vehicle first, unless it begins at home.
+  /// Finds the vehicle first, unless it begins at home, and again where it is lost on its way.
   Decision step(const Observation& observation) override;
 
   const Building& building() const { return building_; }
   const Goal& goal() const { return goal_; }
   const GuideNavigator& navigator() const { return navigator_; }
-  /// The vehicle is not known to be anywhere yet, and the navigator has not begun.
+  /// Nobody knows where the vehicle is; the navigator waits.
   bool is_finding() const { return finder_ != nullptr; }
+  std::size_t times_lost() const { return times_lost_; }
 
  private:
+  Decision find(const Observation& observation);
+  void begin_finding(const std::optional<Pose2>& T_map_hint);
+
+  VehicleDescription vehicle_;
   Building building_;
   Goal goal_;
   GuideNavigator navigator_;
   std::unique_ptr<PlaceFinder> finder_;  ///< until the vehicle is found
+  std::size_t times_lost_ = 0;
 };
 
 }  // namespace aisle
