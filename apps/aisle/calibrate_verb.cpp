@@ -9,6 +9,7 @@
 #include "aisle/commands/calibration/calibrate_floor.hpp"
 #include "aisle/commands/calibration/calibrate_laser.hpp"
 #include "aisle/core/angle.hpp"
+#include "examples.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -60,7 +61,7 @@ void add_board(CLI::App& verb, const std::shared_ptr<Options>& options) {
 template <class Options>
 void add_out(CLI::App& verb, const std::shared_ptr<Options>& options) {
   verb.add_option(
-      "--out", options->out,
+      "-o,--out", options->out,
       "output directory for camera.yaml (OpenCV), camera_info.yaml (ROS) and plots of the residuals");
   verb.add_flag("--force", options->force, "overwrite existing results");
 }
@@ -69,12 +70,15 @@ void add_camera(CLI::App& calibrate, Work& work) {
   CLI::App* verb =
       calibrate.add_subcommand("camera", "calibrate the lens from at least 3 images of a chessboard");
   verb->fallthrough();
+  add_examples(
+      *verb, {"aisle calibrate camera board-1.png board-2.png board-3.png --square-m 0.03 --out out/lens",
+              "aisle calibrate camera board-1.png board-2.png board-3.png --board 7x5 --same-focal-lengths"});
   auto options = std::make_shared<CalibrateCameraOptions>();
   verb->add_option("IMAGES", options->images,
                    "images of the same size that show the board at different tilts")
       ->required();
   add_board(*verb, options);
-  verb->add_option("--name", options->camera_name, "camera name in the output files (default camera)");
+  verb->add_option("--camera", options->camera_name, "camera name in the output files (default camera)");
   verb->add_flag("--same-focal-lengths", options->lens.same_focal_lengths, "assume square pixels: fx = fy");
   add_out(*verb, options);
   verb->callback([options, &work] {
@@ -86,9 +90,12 @@ void add_floor(CLI::App& calibrate, Work& work) {
   CLI::App* verb = calibrate.add_subcommand(
       "floor", "calibrate the camera's mount on the vehicle from chessboards or marks on the floor");
   verb->fallthrough();
+  add_examples(*verb, {"aisle calibrate floor floor.png --calibration out/lens/camera.yaml --board-at "
+                       "1.2,0,0 --out out/mount",
+                       "aisle calibrate floor --calibration out/lens/camera.yaml --marks marks.txt"});
   auto options = std::make_shared<CalibrateFloorOptions>();
   verb->add_option("IMAGES", options->images, "images of a chessboard that lies flat on the floor");
-  verb->add_option("--camera", options->camera, "lens calibration (YAML)")->required();
+  verb->add_option("--calibration", options->camera, "lens calibration (YAML)")->required();
   verb->add_option_function<std::vector<std::string>>(
           "--board-at",
           [options](const std::vector<std::string>& texts) {
@@ -113,11 +120,15 @@ void add_laser(CLI::App& calibrate, Work& work) {
   CLI::App* verb = calibrate.add_subcommand(
       "laser", "calibrate the height and slope of the laser plane from its stripe on walls");
   verb->fallthrough();
+  add_examples(
+      *verb,
+      {"aisle calibrate laser wall.png --calibration out/mount/camera.yaml --wall-at 1.5 --out out/laser",
+       "aisle calibrate laser near.png far.png --calibration out/mount/camera.yaml"});
   auto options = std::make_shared<CalibrateLaserOptions>();
   verb->add_option("IMAGES", options->images,
                    "images of the laser stripe on a wall, ideally at several distances")
       ->required();
-  verb->add_option("--camera", options->camera, "calibration of lens and mount (YAML)")->required();
+  verb->add_option("--calibration", options->camera, "calibration of lens and mount (YAML)")->required();
   verb->add_option(
           "--wall-at", options->walls_at_m,
           "perpendicular distance from base_link to the wall ahead in metres, once per image (default: "
@@ -140,4 +151,7 @@ void add_calibrate_verb(CLI::App& app, Work& work) {
   add_camera(*calibrate, work);
   add_floor(*calibrate, work);
   add_laser(*calibrate, work);
+  add_examples(*calibrate,
+               {"aisle calibrate camera board-1.png board-2.png board-3.png --out out/lens",
+                "aisle calibrate floor floor.png --calibration out/lens/camera.yaml --board-at 1.2,0,0"});
 }

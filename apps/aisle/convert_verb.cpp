@@ -4,6 +4,7 @@
 #include <memory>
 #include <sstream>
 
+#include "examples.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
@@ -19,7 +20,7 @@ void add_random_options(CLI::App& verb, ConvertOptions& options) {
   for (const BuildingKind kind : kBuildingKinds) kinds.emplace_back(name_of(kind), kind);
   add_choice<BuildingKind>(verb, "--kind", options.recipe.kind, kinds,
                            "kind of random building (default office)");
-  verb.add_option("--size", options.recipe.size_m,
+  verb.add_option("--corridor-length", options.recipe.size_m,
                   "length of the longest corridor of a random building in metres (default: random, 20 to 60)")
       ->check(CLI::Range(12.0, 200.0));
 }
@@ -77,12 +78,15 @@ void add_drawing_options(CLI::App& verb, ConvertOptions& options) {
 void add_convert_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("convert", "make a world from a floor plan, from a maze, or at random");
   verb->fallthrough();
+  add_examples(*verb, {"aisle convert plan.png --resolution 0.05 --speck 0.3 -o plan.yaml",
+                       "aisle convert plan.pdf --scale-by \"100,100 500,100 12.5 m\" -o plan.yaml",
+                       "aisle convert --random 7 --kind office -o building.yaml"});
   auto options = std::make_shared<ConvertOptions>();
   verb->add_option(
       "PLAN", options->plan,
       "wall-segment text, image (PBM, PGM, PNG), drawing (SVG, PDF, DXF), map_server YAML file or "
       "maze; plain or gzip");
-  add_choice<PlanKind>(*verb, "--from", options->from,
+  add_choice<PlanKind>(*verb, "--plan-format", options->from,
                        {{"segments", PlanKind::kSegments},
                         {"picture", PlanKind::kImage},
                         {"drawing", PlanKind::kDrawing},

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "aisle/commands/explore.hpp"
+#include "examples.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "vehicle_options.hpp"
@@ -13,6 +14,9 @@ void add_explore_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
       "explore", "explore an unknown building, come home and keep its map: simulated, or with a robot");
   verb->fallthrough();
+  add_examples(*verb, {"aisle explore small-office --out out/office",
+                       "aisle explore plan.png --resolution 0.05 --vehicle turtlebot --out out/plan",
+                       "aisle explore --connect robot.yaml --session out/run --out out/explored --live"});
   auto options = std::make_shared<ExploreOptions>();
   verb->add_option("WORLD", options->world,
                    "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");
@@ -39,7 +43,8 @@ void add_explore_verb(CLI::App& app, Work& work) {
   verb->add_flag("--compare", options->compares,
                  "also explore by nearest frontier, and report the distances of both");
   add_seed(*verb, options->seed, "random seed; the same seed gives the same run (default 1)");
-  verb->add_option("--out", options->out, "output directory for building.json, the pictures and report.html");
+  verb->add_option("-o,--out", options->out,
+                   "output directory for building.json, the pictures and report.html");
   verb->add_option("--session", options->session, "directory to record the run in as a session");
   verb->add_option("--resume", options->resumed, "session of an interrupted run to continue");
   verb->add_flag("--force", options->force, "overwrite existing results");

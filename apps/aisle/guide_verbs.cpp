@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "aisle/commands/guide.hpp"
+#include "examples.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "vehicle_options.hpp"
@@ -36,7 +37,7 @@ void add_mission_options(CLI::App& verb, GuideOptions& options) {
       "--faults", options.scenario,
       "scenario file (YAML) of faults to inject, or name of a shipped scenario (default: no faults)");
   add_seed(verb, options.seed, "random seed; the same seed gives the same session (default 1)");
-  verb.add_option("--out", options.out, "output directory for the session");
+  verb.add_option("-o,--out", options.out, "output directory for the session");
   verb.add_flag("--force", options.force, "overwrite an existing session");
   add_storage(verb, options.storage);
   add_robot(verb, options.connection,
@@ -52,6 +53,10 @@ void add_go_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
       "go", "drive from home to a place in an explored building: simulated, or with a robot");
   verb->fallthrough();
+  add_examples(*verb,
+               {"aisle go out/office/building.json \"end 1\" --world small-office",
+                "aisle go out/office/building.json 3.5,2 --world small-office --start 4,1,90 --at unknown",
+                "aisle go building.json kitchen --connect robot.yaml --live"});
   auto options = std::make_shared<GuideOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
   verb->add_option("PLACE", options->place,
@@ -71,6 +76,8 @@ void add_patrol_verb(CLI::App& app, Work& work) {
       "patrol",
       "drive along all corridors of an explored building, about once per round: simulated, or with a robot");
   verb->fallthrough();
+  add_examples(*verb, {"aisle patrol out/office/building.json --world small-office --rounds 2",
+                       "aisle patrol building.json --connect robot.yaml --out out/run"});
   auto options = std::make_shared<GuideOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
   verb->add_option("--rounds", options->rounds, "number of rounds (default 1)")->check(CLI::Range(1, 1000));

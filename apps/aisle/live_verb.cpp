@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "aisle/live_session/live.hpp"
+#include "examples.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "vehicle_options.hpp"
@@ -13,6 +14,8 @@ void add_live_verb(CLI::App& app, Work& work) {
       "live",
       "run a vehicle that is watched, driven and sent on missions from a browser: simulated, or a robot");
   verb->fallthrough();
+  add_examples(*verb, {"aisle live small-office --out out/live",
+                       "aisle live --connect robot.yaml --listen 0.0.0.0 --token-file token --out out/live"});
   auto options = std::make_shared<LiveOptions>();
   auto out = std::make_shared<std::filesystem::path>();
   verb->add_option("WORLD", options->world, "world file (YAML) or name of a shipped world");
@@ -20,7 +23,7 @@ void add_live_verb(CLI::App& app, Work& work) {
                    "vehicle file (YAML) or name of a shipped vehicle (default alv)");
   add_seed(*verb, options->seed, "random seed (default 1)");
   verb->add_option(
-      "--out", *out,
+      "-o,--out", *out,
       "output directory: sessions go to DIR/sessions and buildings to DIR/buildings, unless --sessions "
       "and --buildings name others");
   add_listening_options(*verb, options->listening);

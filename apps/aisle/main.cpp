@@ -6,9 +6,12 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "aisle/core/terminal_text.hpp"
+#include "examples.hpp"
+#include "former_names.hpp"
 #include "suggestion.hpp"
 #include "terminal_progress.hpp"
 #include "verb.hpp"
@@ -65,9 +68,13 @@ void refuse_empty_arguments(const CLI::App& verb) {
   for (const CLI::App* below : verb.get_subcommands()) refuse_empty_arguments(*below);
 }
 
+bool was_given(int argc, char** argv, std::string_view flag) {
+  return std::any_of(argv, argv + argc, [&](std::string_view word) { return word == flag; });
+}
+
 int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output output, int argc, char** argv) {
   // The parser stops at the first error, which may come before --json.
-  output.json = std::any_of(argv, argv + argc, [](const std::string& word) { return word == "--json"; });
+  output.json = was_given(argc, argv, "--json");
   const CLI::App* deepest = &app;
   while (!deepest->get_subcommands().empty()) deepest = deepest->get_subcommands().front();
   const std::string verb = verb_of(app);
@@ -103,14 +110,7 @@ int run(const std::string& verb, const Work& work, const Output& output) {
   }
 }
 
-int run_program(int argc, char** argv) {
-  CLI::App app("aisle: a robot vehicle that learns a building and drives there autonomously", "aisle");
-  app.set_version_flag("--version", AISLE_VERSION);
-  app.require_subcommand(1);
-  Output output;
-  app.add_flag("--json", output.json, "print one JSON object instead of text");
-  app.add_flag("--quiet", output.quiet, "print neither warnings nor a progress bar");
-  Work work;
+void add_verbs(CLI::App& app, Work& work) {
   add_show_verbs(app, work);
   add_convert_verb(app, work);
   add_map_verb(app, work);
@@ -131,10 +131,26 @@ int run_program(int argc, char** argv) {
   add_park_verb(app, work);
   add_reproduce_verb(app, work);
   add_trial_verb(app, work);
+  add_examples(app, {"aisle explore small-office --out out/office",
+                     "aisle go out/office/building.json \"end 1\" --world small-office", "aisle help map"});
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("aisle: a robot vehicle that learns a building and drives there autonomously", "aisle");
+  app.set_version_flag("--version", AISLE_VERSION);
+  app.require_subcommand(1);
+  Output output;
+  app.add_flag("--json", output.json, "print one JSON object instead of text");
+  app.add_flag("--quiet", output.quiet, "print neither warnings nor a progress bar");
+  Work work;
+  add_verbs(app, work);
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words.front() == "help") {  // `aisle help map` is `aisle map --help`
     words.erase(words.begin());
     words.emplace_back("--help");
+  }
+  for (const std::string& warning : use_present_names(app, words)) {
+    if (!was_given(argc, argv, "--quiet")) fmt::print(stderr, "warning: {}\n", aisle::terminal_text(warning));
   }
   std::reverse(words.begin(), words.end());  // as the parser takes them
   try {

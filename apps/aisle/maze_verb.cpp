@@ -17,6 +17,7 @@
 #include "aisle/commands/mazes/maze_generate.hpp"
 #include "aisle/commands/mazes/maze_mms.hpp"
 #include "aisle/commands/mazes/maze_table.hpp"
+#include "examples.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
@@ -64,6 +65,7 @@ Terminal watching_terminal(double frames_per_s) {
 void add_table(CLI::App& maze, Work& work) {
   CLI::App* verb = maze.add_subcommand("table", "print all rules of the transducer");
   verb->fallthrough();
+  add_examples(*verb, {"aisle maze table", "aisle maze table --rules homing --format dot"});
   auto options = std::make_shared<MazeTableOptions>();
   add_rules(*verb, options->rules);
   add_choice<MazeTableFormat>(
@@ -81,6 +83,8 @@ void add_explore(CLI::App& maze, Work& work) {
   CLI::App* verb =
       maze.add_subcommand("explore", "explore every reachable cell of each maze and return to the start");
   verb->fallthrough();
+  add_examples(*verb, {"aisle maze explore maze.txt --compare",
+                       "aisle maze explore maze.txt --rules homing --svg run.svg --gif run.gif"});
   auto options = std::make_shared<MazeExploreOptions>();
   verb->add_option("FILE", options->files, "maze files: text, mms num, binary .maz, PBM; plain or gzip");
   add_rules(*verb, options->rules);
@@ -92,7 +96,7 @@ void add_explore(CLI::App& maze, Work& work) {
   auto watch = std::make_shared<bool>(false);
   verb->add_flag("--watch", *watch, "show the run in the terminal: state, stack and fired rule");
   auto frames_per_s = std::make_shared<double>(20);
-  verb->add_option("--speed", *frames_per_s, "moves per second with --watch (default 20)")
+  verb->add_option("--move-rate", *frames_per_s, "moves per second with --watch (default 20)")
       ->check(CLI::Range(0.1, 1e4));
   verb->add_option("--svg", options->svg, "file for a picture of the run and the learned map");
   verb->add_option("--gif", options->gif, "file for the same as an animation");
@@ -107,6 +111,8 @@ void add_explore(CLI::App& maze, Work& work) {
 void add_generate(CLI::App& maze, Work& work) {
   CLI::App* verb = maze.add_subcommand("generate", "generate a random maze");
   verb->fallthrough();
+  add_examples(*verb, {"aisle maze generate --seed 7",
+                       "aisle maze generate --kind braided --width 24 --height 12 --out maze.txt"});
   auto options = std::make_shared<MazeGenerateOptions>();
   add_choice(*verb, "--kind", options->recipe.kind, named(kMazeKinds), "kind of maze (default perfect)");
   verb->add_option("--width", options->recipe.width, "width in cells (default 16)");
@@ -114,7 +120,7 @@ void add_generate(CLI::App& maze, Work& work) {
   verb->add_option("--loops", options->recipe.loop_share,
                    "share of dead ends that are opened in a braided maze (default 0.5)");
   verb->add_option("--seed", options->seed, "random seed; the same seed gives the same maze (default 1)");
-  verb->add_option("--out", options->out, "output file for the maze (default: stdout)");
+  verb->add_option("-o,--out", options->out, "output file for the maze (default: stdout)");
   verb->add_flag("--force", options->force, "overwrite an existing file");
   verb->callback(
       [=, &work] { work = [options](Console& console) { return run_maze_generate(*options, console); }; });
@@ -125,6 +131,7 @@ void add_generate(CLI::App& maze, Work& work) {
 void add_mms(CLI::App& maze, Work& work) {
   CLI::App* verb = maze.add_subcommand("mms", "control a mouse of the mms simulator over stdin and stdout");
   verb->fallthrough();
+  add_examples(*verb, {"aisle maze mms", "aisle maze mms --rules roaming"});
   auto options = std::make_shared<MazeMmsOptions>();
   options->replies = &std::cin;
   options->commands = &std::cout;
@@ -148,4 +155,5 @@ void add_maze_verb(CLI::App& app, Work& work) {
   add_explore(*maze, work);
   add_generate(*maze, work);
   add_mms(*maze, work);
+  add_examples(*maze, {"aisle maze generate --out maze.txt", "aisle maze explore maze.txt --svg run.svg"});
 }

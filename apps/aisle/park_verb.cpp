@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "aisle/commands/park.hpp"
+#include "examples.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "parking_choices.hpp"
@@ -13,6 +14,8 @@ void add_park_verb(CLI::App& app, Work& work) {
   CLI::App* verb =
       app.add_subcommand("park", "park at the end of a route through a room: simulated, or with a robot");
   verb->fallthrough();
+  add_examples(*verb, {"aisle park out/room/building.json \"parking frame\" --world laboratory",
+                       "aisle park building.json charger --connect robot.yaml --out out/run"});
   auto options = std::make_shared<ParkOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) with the route");
   verb->add_option("PLACE", options->place, "name of the route to park at the end of");
@@ -33,7 +36,7 @@ void add_park_verb(CLI::App& app, Work& work) {
   verb->add_flag("--reverse", options->in_reverse,
                  "turn around in front of the painted frame and back into it");
   add_seed(*verb, options->seed, "random seed; the same seed gives the same session (default 1)");
-  verb->add_option("--out", options->out, "output directory for the session");
+  verb->add_option("-o,--out", options->out, "output directory for the session");
   verb->add_flag("--force", options->force, "overwrite an existing session");
   add_storage(*verb, options->storage);
   add_robot(*verb, options->connection, {"--world", "--vehicle", "--faults", "--start", "--seed"});

@@ -3,6 +3,7 @@
 #include "aisle/commands/sessions/session_cut.hpp"
 #include "aisle/commands/sessions/session_info.hpp"
 #include "aisle/commands/sessions/session_replay.hpp"
+#include "examples.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
@@ -18,6 +19,7 @@ void add_info_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
       "info", "show what a session, a bag or a laser log contains: topics, rates, gaps, size");
   verb->fallthrough();
+  add_examples(*verb, {"aisle info out/run", "aisle info drive.bag"});
   auto options = std::make_shared<SessionInfoOptions>();
   verb->add_option("INPUT", options->input, "session directory, or a recording: ROS bag, laser log")
       ->required();
@@ -29,6 +31,8 @@ void add_info_verb(CLI::App& app, Work& work) {
 void add_cut_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("cut", "cut a part out of a session into a new session");
   verb->fallthrough();
+  add_examples(*verb, {"aisle cut out/run --to 60 -o out/first-minute",
+                       "aisle cut out/run --from 10 --to 20 --storage mcap -o out/part"});
   auto options = std::make_shared<SessionCutOptions>();
   verb->add_option("SESSION", options->session, kSessionMeaning)->required();
   verb->add_option("--from", options->from_s,
@@ -49,6 +53,7 @@ void add_replay_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
       "replay", "run a navigator on the recorded observations and check that every decision is the same");
   verb->fallthrough();
+  add_examples(*verb, {"aisle replay out/run", "aisle replay out/imported --navigator explorer --live"});
   auto options = std::make_shared<SessionReplayOptions>();
   verb->add_option("SESSION", options->session, kSessionMeaning)->required();
   verb->add_option("--navigator", options->navigator, "navigator to run (default: the one that drove)");

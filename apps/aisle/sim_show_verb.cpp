@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "aisle/commands/show_world.hpp"
+#include "examples.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -8,6 +9,8 @@ using namespace aisle;
 void add_sim_show_verb(CLI::App& sim, Work& work) {
   CLI::App* verb = sim.add_subcommand("show", "draw the plan of a world and list its contents");
   verb->fallthrough();
+  add_examples(*verb,
+               {"aisle sim show small-office", "aisle sim show plan.yaml --svg plan.svg --png plan.png"});
   auto options = std::make_shared<ShowWorldOptions>();
   verb->add_option("WORLD", options->world, "world file (YAML) or name of a shipped world")->required();
   verb->add_option("--svg", options->svg, "file for the plan as SVG")->type_name("FILE");

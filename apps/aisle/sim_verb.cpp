@@ -1,3 +1,4 @@
+#include "examples.hpp"
 #include "verb.hpp"
 
 void add_sim_verb(CLI::App& app, Work& work) {
@@ -7,4 +8,6 @@ void add_sim_verb(CLI::App& app, Work& work) {
   add_sim_log_verb(*sim, work);
   add_sim_render_verb(*sim, work);
   add_sim_show_verb(*sim, work);
+  add_examples(*sim,
+               {"aisle sim show small-office --svg plan.svg", "aisle sim render small-office -o view.png"});
 }

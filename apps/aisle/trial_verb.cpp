@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "aisle/trials/trial.hpp"
+#include "examples.hpp"
 #include "option_kinds.hpp"
 #include "parking_choices.hpp"
 #include "verb.hpp"
@@ -44,10 +45,13 @@ void add_trial_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
       "trial", "run complete simulated missions, one per seed, and print their statistics");
   verb->fallthrough();
+  add_examples(*verb, {"aisle trial explore --seeds 1..20 --kind office --out out/trials",
+                       "aisle trial landmarks --seeds 1..10 --world l-corridor --faults camera-frozen",
+                       "aisle trial park --strategy frame --seeds 7"});
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
   verb->add_option("METHOD", options->method,
-                   "what to try: landmarks, sections, explore, localise, route, turnings or park");
+                   "what to try: landmarks, sections, rooms, turnings, park, explore or localise");
   const CLI::Option* seeds = verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {
@@ -99,7 +103,7 @@ void add_trial_verb(CLI::App& app, Work& work) {
       "--jobs", options->jobs, "missions that run at a time (default: as many as there are cores)");
   verb->get_option("--jobs")->check(CLI::Range(1, 1024));
   const CLI::Option* out =
-      verb->add_option("--out", options->out,
+      verb->add_option("-o,--out", options->out,
                        "directory that keeps each mission as it ends; the same command goes on from there");
   const CLI::Option* force =
       verb->add_flag("--force", options->force, "replace the missions that --out holds");

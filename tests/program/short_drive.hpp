@@ -23,7 +23,7 @@ class WorkplaceWithSession : public WorkplaceWithKeys {
  protected:
   void SetUp() override {
     WorkplaceWithKeys::SetUp();
-    const ProgramRun run = run_aisle(drive("drive", {"--no-pictures"}));
+    const ProgramRun run = run_aisle(drive("drive", {"--no-images"}));
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
 

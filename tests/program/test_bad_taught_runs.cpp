@@ -70,15 +70,15 @@ TEST_F(BadTaughtRuns, NamesThatNoRouteCanHaveAreRefusedBeforeTheDrive) {
 
 TEST_F(BadTaughtRuns, ARouteThatAScriptedPersonDoesNotKnowIsRefusedWithThoseThatItKnows) {
   EXPECT_THAT(
-      run_aisle({"teach", "laboratory", "--method", "route", "--route", "garden", "--operator", "scripted",
+      run_aisle({"teach", "laboratory", "--method", "rooms", "--route", "garden", "--operator", "scripted",
                  "--out", at("out"), "--json"}),
       IsRefused("'garden', which a scripted person could drive; there are: parking frame, dead end, "));
 }
 
 TEST_F(BadTaughtRuns, ThePatternOfViewsIsDrivenAboutTaughtPlacesOnly) {
   EXPECT_THAT(run_aisle({"teach", "laboratory", "--views", "pattern", "--out", at("out"), "--json"}),
-              IsRefused("--views: the pattern needs --method route"));
-  EXPECT_THAT(run_aisle({"teach", "laboratory", "--method", "route", "--route", "dead end", "--operator",
+              IsRefused("--views: the pattern needs --method rooms"));
+  EXPECT_THAT(run_aisle({"teach", "laboratory", "--method", "rooms", "--route", "dead end", "--operator",
                          "scripted", "--views", "pattern", "--out", at("out"), "--json"}),
               IsRefused("--views: only a scripted person can drive the pattern"));
 }
@@ -113,7 +113,7 @@ TEST_F(BadTaughtRuns, FilesThatAreMissingAreRefusedByName) {
 TEST_F(BadTaughtRuns, ARouteThroughARoomIsNotTaughtWithACameraThatLooksUp) {
   const std::string vehicle = file(
       "up.yaml", with(read_bytes(AISLE_SOURCE_DIR "/vehicles/alv.yaml"), "tilt_deg: 38", "tilt_deg: -30"));
-  EXPECT_THAT(run_aisle({"teach", "laboratory", "--method", "route", "--route", "instruments", "--vehicle",
+  EXPECT_THAT(run_aisle({"teach", "laboratory", "--method", "rooms", "--route", "instruments", "--vehicle",
                          vehicle, "--operator", "scripted", "--out", at("out"), "--json"}),
               IsRefused(vehicle + ": cameras.top: does not see the floor"));
 }
@@ -125,13 +125,13 @@ TEST_F(BadTaughtRuns, SessionsFromWhichNothingCanBeLearnedAreRefused) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_aisle(arguments);
   };
-  ASSERT_EQ(drive("blind", {"--no-pictures"}).exit_code, 0);
+  ASSERT_EQ(drive("blind", {"--no-images"}).exit_code, 0);
   EXPECT_THAT(learn(at("blind")), IsRefused(at("blind") + ": has no images of the camera front"));
 
   const std::string dark = file("dark.yaml",
                                 "format: aisle.scenario\nversion: 1\nname: dark\nevents:\n"
                                 "  - from_s: 0\n    for_s: 60\n    camera: {fault: dark}\n");
-  ASSERT_EQ(drive("black", {"--scenario", dark}).exit_code, 0);
+  ASSERT_EQ(drive("black", {"--faults", dark}).exit_code, 0);
   EXPECT_THAT(learn(at("black")), IsRefused(at("black") + ": the run shows no landmarks"));
 
   ASSERT_THAT(SessionWriter::create(at("empty"), false)->close(), IsEmpty());

@@ -35,8 +35,8 @@ class Calibrate : public Workplace {};
 
 TEST_F(Calibrate, MarksOnTheFloorGiveTheMountAndFilesThatAreReadAgain) {
   const std::string lens = file("lens.yaml", kLens), marks = file("marks.txt", kMarks);
-  const ProgramRun run =
-      run_aisle({"calibrate", "floor", "--camera", lens, "--marks", marks, "--out", at("out"), "--json"});
+  const ProgramRun run = run_aisle(
+      {"calibrate", "floor", "--calibration", lens, "--marks", marks, "--out", at("out"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   const auto figures = run.json()["figures"];
   EXPECT_NEAR(figures["height_m"], 1, 1e-5);
@@ -45,7 +45,7 @@ TEST_F(Calibrate, MarksOnTheFloorGiveTheMountAndFilesThatAreReadAgain) {
   EXPECT_THAT(names_in(at("out")),
               ElementsAre("camera.yaml", "camera_info.yaml", "residuals.png", "residuals.svg"));
   for (const char* name : {"out/camera.yaml", "out/camera_info.yaml"}) {
-    const ProgramRun again = run_aisle({"calibrate", "floor", "--camera", at(name), "--marks", marks});
+    const ProgramRun again = run_aisle({"calibrate", "floor", "--calibration", at(name), "--marks", marks});
     EXPECT_EQ(again.exit_code, 0) << name << again.err;
   }
 }
@@ -54,7 +54,7 @@ TEST_F(Calibrate, AStripeOnAWallGivesTheLasersHeight) {
   // Row 415 at 2 m: 1 - 2 * (415 - 240) / 500 = 0.3 m.
   const std::string camera = file("camera.yaml", kMounted), image = file("wall.pgm", striped_image(415));
   const ProgramRun run = run_aisle(
-      {"calibrate", "laser", image, "--wall-at", "2", "--camera", camera, "--out", at("out"), "--json"});
+      {"calibrate", "laser", image, "--wall-at", "2", "--calibration", camera, "--out", at("out"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   EXPECT_NEAR(run.json()["figures"]["laser_height_m"], 0.3, 1e-4);
   EXPECT_THAT(read_bytes(at("out/camera.yaml")), HasSubstr("laser_height_m: 0.3"));
@@ -64,7 +64,7 @@ TEST_F(Calibrate, MarksThatDoNotFitMakeAPoorResultAndExitCodeOne) {
   const std::string lens = file("lens.yaml", kLens);
   const std::string marks = file(
       "marks.txt", "445 460 2 -0.5\n195 490 2 0.5\n465 365 4 -1\n195 390 4 1\n300 406 3 0\n520 400 2.5 -1\n");
-  const ProgramRun run = run_aisle({"calibrate", "floor", "--camera", lens, "--marks", marks, "--json"});
+  const ProgramRun run = run_aisle({"calibrate", "floor", "--calibration", lens, "--marks", marks, "--json"});
   EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
   EXPECT_EQ(run.json()["ok"], false);
   EXPECT_EQ(run.json()["figures"]["verdict"]["quality"], "poor");
@@ -84,7 +84,7 @@ TEST_F(Calibrate, CameraRefusesImagesThatTellNothing) {
 TEST_F(Calibrate, FloorNamesWhatIsWrongWithMarksAndBoards) {
   const std::string lens = file("lens.yaml", kLens), image = file("a.pgm", grey_image(640, 480));
   const auto floor = [&](std::vector<std::string> more) {
-    Arguments arguments = {"calibrate", "floor", "--camera", lens, "--json"};
+    Arguments arguments = {"calibrate", "floor", "--calibration", lens, "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_aisle(arguments);
   };
@@ -103,11 +103,11 @@ TEST_F(Calibrate, FloorNamesWhatIsWrongWithMarksAndBoards) {
 TEST_F(Calibrate, LaserNeedsAMountAndAStripe) {
   const std::string lens = file("lens.yaml", kLens), camera = file("camera.yaml", kMounted);
   const std::string blank = file("a.pgm", grey_image(640, 480));
-  EXPECT_THAT(run_aisle({"calibrate", "laser", blank, "--wall-at", "2", "--camera", lens, "--json"}),
+  EXPECT_THAT(run_aisle({"calibrate", "laser", blank, "--wall-at", "2", "--calibration", lens, "--json"}),
               IsRefused("lens.yaml: vehicle_mount: is missing"));
-  EXPECT_THAT(run_aisle({"calibrate", "laser", blank, "--wall-at", "2", "--camera", camera, "--json"}),
+  EXPECT_THAT(run_aisle({"calibrate", "laser", blank, "--wall-at", "2", "--calibration", camera, "--json"}),
               IsRefused("a.pgm: fewer than 20 stripe points"));
-  EXPECT_THAT(run_aisle({"calibrate", "laser", blank, "--camera", camera, "--json"}),
+  EXPECT_THAT(run_aisle({"calibrate", "laser", blank, "--calibration", camera, "--json"}),
               IsRefused("a.pgm: no whole board"));
 }
 

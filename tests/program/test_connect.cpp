@@ -40,13 +40,13 @@ TEST_F(Connect, AnInterfaceThatIsNotOfThisMachineIsRefused) {
 TEST_F(Connect, InitAsksForWhatItCannotKnow) {
   const ProgramRun run = run_aisle({"connect", "init", "--out", at("robot.yaml")});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("--size"), HasSubstr("--vehicle")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("--footprint"), HasSubstr("--vehicle")));
   EXPECT_FALSE(std::filesystem::exists(at("robot.yaml")));
 }
 
 TEST_F(Connect, InitWritesNothingWhereThereIsNoRobot) {
-  const ProgramRun run = run_aisle({"connect", "init", "--out", at("robot.yaml"), "--size", "0.2,0.2,0.3",
-                                    "--domain", empty_domain(), "--seconds", "0.5"});
+  const ProgramRun run = run_aisle({"connect", "init", "--out", at("robot.yaml"), "--footprint",
+                                    "0.2,0.2,0.3", "--domain", empty_domain(), "--seconds", "0.5"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(at("robot.yaml")));
   EXPECT_FALSE(std::filesystem::exists(at("robot-vehicle.yaml")));
@@ -54,7 +54,7 @@ TEST_F(Connect, InitWritesNothingWhereThereIsNoRobot) {
 
 TEST_F(Connect, InitRefusesMeasuresThatNoVehicleFileMayHave) {
   for (const char* size : {"0,0,0", "nan,0.2,0.3"}) {
-    const ProgramRun run = run_aisle({"connect", "init", "--out", at("robot.yaml"), "--size", size});
+    const ProgramRun run = run_aisle({"connect", "init", "--out", at("robot.yaml"), "--footprint", size});
     EXPECT_EQ(run.exit_code, 2) << size;
     EXPECT_THAT(run.err, HasSubstr("footprint.front_m")) << size;
     EXPECT_FALSE(std::filesystem::exists(at("robot.yaml")));

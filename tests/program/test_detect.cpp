@@ -52,7 +52,7 @@ TEST_F(Detect, StripesAreListedForEachImageWithItsNameAsGiven) {
 
 TEST_F(Detect, TheRegionIsAMaskBesideItsOverlayBothAsLargeAsTheImage) {
   const std::string a = file("a.pgm", image_file());
-  const ProgramRun run = run_aisle({"detect", "region", a, "--overlay", at("out"), "--json"});
+  const ProgramRun run = run_aisle({"detect", "region", a, "--out", at("out"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto image = run.json()["figures"]["images"][0];
   EXPECT_EQ(image["region_mask"], at("out/a.region.png"));
@@ -64,7 +64,7 @@ TEST_F(Detect, TheRegionIsAMaskBesideItsOverlayBothAsLargeAsTheImage) {
 
 TEST_F(Detect, VerticalLinesAndBaseLinesHaveTheirKeys) {
   const std::string a = file("a.pgm", image_file());
-  const ProgramRun verticals = run_aisle({"detect", "verticals", a, "--overlay", at("out"), "--json"});
+  const ProgramRun verticals = run_aisle({"detect", "verticals", a, "--out", at("out"), "--json"});
   ASSERT_EQ(verticals.exit_code, 0) << verticals.err;
   EXPECT_TRUE(verticals.json()["figures"]["images"][0]["verticals"].is_array());
   EXPECT_EQ(size_of_png(at("out/a.overlay.png")), std::pair(120, 90));
@@ -102,7 +102,7 @@ TEST_F(Detect, FollowedLinesKeepTheirNumbersWhileTheCameraComesNearer) {
   const std::string far = file("far.pgm", image_with_lines(120, 140, 210));
   const std::string near = file("near.pgm", image_with_lines(100, 128, 240));
   const ProgramRun run =
-      run_aisle({"detect", "verticals", "--follow", far, near, "--overlay", at("out"), "--json"});
+      run_aisle({"detect", "verticals", "--follow", far, near, "--out", at("out"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto figures = run.json()["figures"];
   for (std::size_t i = 0; i < 2; ++i) {
@@ -123,11 +123,11 @@ TEST_F(Detect, ACamerasCalibrationMustBeOneAndFitTheImage) {
                                        "   data: [500., 0., 320., 0., 500., 240., 0., 0., 1.]\n"
                                        "distortion_coefficients: !!opencv-matrix\n   rows: 1\n   cols: 5\n"
                                        "   dt: d\n   data: [0., 0., 0., 0., 0.]\n");
-  EXPECT_THAT(run_aisle({"detect", "verticals", a, "--camera", calibration, "--json"}),
+  EXPECT_THAT(run_aisle({"detect", "verticals", a, "--calibration", calibration, "--json"}),
               IsRefused("a.pgm: has 120 x 90 pixels; the camera's calibration is for 640 x 480"));
   const std::string large = file("large.pgm", image_file(640, 480));
-  EXPECT_EQ(run_aisle({"detect", "verticals", large, "--camera", calibration}).exit_code, 0);
-  EXPECT_THAT(run_aisle({"detect", "verticals", a, "--camera", at("absent.yaml"), "--json"}),
+  EXPECT_EQ(run_aisle({"detect", "verticals", large, "--calibration", calibration}).exit_code, 0);
+  EXPECT_THAT(run_aisle({"detect", "verticals", a, "--calibration", at("absent.yaml"), "--json"}),
               IsRefused("absent.yaml"));
 }
 
@@ -142,7 +142,7 @@ TEST_F(Detect, ImagesOfTheSameNameDoNotOverwriteEachOther) {
   std::filesystem::create_directory(at("left"));
   std::filesystem::create_directory(at("right"));
   const std::string a = file("left/1.pgm", image_file()), b = file("right/1.pgm", image_file(60, 90));
-  ASSERT_EQ(run_aisle({"detect", "stripes", a, b, "--overlay", at("out")}).exit_code, 0);
+  ASSERT_EQ(run_aisle({"detect", "stripes", a, b, "--out", at("out")}).exit_code, 0);
   EXPECT_THAT(names_in(at("out")), ElementsAre("1-2.overlay.png", "1.overlay.png"));
   EXPECT_EQ(size_of_png(at("out/1.overlay.png")), std::pair(120, 90));
   EXPECT_EQ(size_of_png(at("out/1-2.overlay.png")), std::pair(60, 90));
@@ -151,26 +151,26 @@ TEST_F(Detect, ImagesOfTheSameNameDoNotOverwriteEachOther) {
 TEST_F(Detect, OneBadImageAmongManyIsNamedAndNothingIsWritten) {
   const std::string good = file("good.pgm", image_file());
   const std::string bad = file("bad.png", "no image");
-  EXPECT_THAT(run_aisle({"detect", "region", good, bad, good, "--overlay", at("out"), "--json"}),
+  EXPECT_THAT(run_aisle({"detect", "region", good, bad, good, "--out", at("out"), "--json"}),
               IsRefused("bad.png: is not an image"));
-  EXPECT_THAT(run_aisle({"detect", "region", good, at("absent.png"), "--overlay", at("out"), "--json"}),
+  EXPECT_THAT(run_aisle({"detect", "region", good, at("absent.png"), "--out", at("out"), "--json"}),
               IsRefused("absent.png: no such file"));
   EXPECT_FALSE(std::filesystem::exists(at("out")));
 }
 
 TEST_F(Detect, ResultsAreReplacedOnlyByForce) {
   const std::string a = file("a.pgm", image_file());
-  ASSERT_EQ(run_aisle({"detect", "stripes", a, "--overlay", at("out")}).exit_code, 0);
-  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", at("out"), "--json"}), IsRefused("--force"));
-  EXPECT_EQ(run_aisle({"detect", "stripes", a, "--overlay", at("out"), "--force"}).exit_code, 0);
+  ASSERT_EQ(run_aisle({"detect", "stripes", a, "--out", at("out")}).exit_code, 0);
+  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--out", at("out"), "--json"}), IsRefused("--force"));
+  EXPECT_EQ(run_aisle({"detect", "stripes", a, "--out", at("out"), "--force"}).exit_code, 0);
 }
 
 TEST_F(Detect, MistakesAreRefusedInOneLine) {
   const std::string a = file("a.pgm", image_file());
   EXPECT_THAT(run_aisle({"detect", "--json"}), IsRefused("A subcommand is required"));
   EXPECT_THAT(run_aisle({"detect", "stripes", "--json"}), IsRefused("IMAGE is required"));
-  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", "", "--json"}), IsRefused("--overlay"));
-  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", a, "--json"}),
+  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--out", "", "--json"}), IsRefused("--out"));
+  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--out", a, "--json"}),
               IsRefused("cannot be made: Not a directory"));
   EXPECT_THAT(run_aisle({"detect", "stripes", a, "--set", "stripes.corner_px=-1", "--json"}),
               IsRefused("stripes.corner_px"));
@@ -201,7 +201,7 @@ TEST_F(Detect, TaughtPlacesAreRecognisedInOtherLight) {
   const std::string late = file("late.pgm", door_file(30, 90, 140)),
                     bare = file("bare.pgm", door_file(0, 0, 140));
   const ProgramRun run = run_aisle({"detect", "places", late, extra, bare, "--taught", at("lap"), extra,
-                                    "--set", "places.rival_apart=0", "--overlay", at("out"), "--json"});
+                                    "--set", "places.rival_apart=0", "--out", at("out"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto images = run.json()["figures"]["images"];
   EXPECT_EQ(images[0]["place"], at("lap/2.pgm"));
@@ -232,7 +232,7 @@ TEST_F(Detect, PlacesWithoutTaughtImagesAreRefused) {
   EXPECT_THAT(run_aisle({"detect", "places", image}).err, HasSubstr("--taught"));
   std::filesystem::create_directory(at("empty"));
   const ProgramRun run =
-      run_aisle({"detect", "places", image, "--taught", at("empty"), at("none.png"), "--overlay", at("out")});
+      run_aisle({"detect", "places", image, "--taught", at("empty"), at("none.png"), "--out", at("out")});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("has no images"));
   EXPECT_THAT(run.err, HasSubstr("none.png")) << "all that is wrong at once";

@@ -63,13 +63,13 @@ TEST_F(DriveByKeys, TheSameSeedGivesTheSameBytesWithOneThreadAndWithMany) {
 
 TEST_F(DriveByKeys, NamesWhatIsNotThere) {
   const auto without_images = [](Arguments arguments) {
-    arguments.insert(arguments.end(), {"--no-pictures", "--json"});
+    arguments.insert(arguments.end(), {"--no-images", "--json"});
     return run_aisle(arguments);
   };
   EXPECT_THAT(without_images({"drive"}), IsRefused("a world or --connect is required"));
   EXPECT_THAT(without_images({"drive", at("no.yaml")}), IsRefused("no.yaml: no such file"));
   EXPECT_THAT(without_images({"drive", "l-corridor", "--vehicle", "cab"}), IsRefused("cab: no such file"));
-  EXPECT_THAT(without_images({"drive", "l-corridor", "--scenario", "flood"}),
+  EXPECT_THAT(without_images({"drive", "l-corridor", "--faults", "flood"}),
               IsRefused("flood: no such file, nor one of the shipped scenarios: blocked-corridor, "));
   EXPECT_THAT(without_images({"drive", "l-corridor", "--keys", at("none.txt")}), IsRefused("none.txt: "));
   EXPECT_THAT(without_images({"drive", "l-corridor", "--keys", file("bad.txt", "0-1 up\n2 jump\n")}),
@@ -96,11 +96,11 @@ TEST_F(DriveByKeys, NamesWhatDoesNotGoTogether) {
 }
 
 TEST_F(DriveByKeys, NeverReplacesASessionUnasked) {
-  ASSERT_EQ(run_aisle(drive("drive", {"--no-pictures"})).exit_code, 0);
+  ASSERT_EQ(run_aisle(drive("drive", {"--no-images"})).exit_code, 0);
   const std::string before = read_bytes(at("drive/drive_0.db3"));
-  EXPECT_THAT(run_aisle(drive("drive", {"--no-pictures", "--seed", "2"})), IsRefused("--force"));
+  EXPECT_THAT(run_aisle(drive("drive", {"--no-images", "--seed", "2"})), IsRefused("--force"));
   EXPECT_TRUE(read_bytes(at("drive/drive_0.db3")) == before);
-  EXPECT_EQ(run_aisle(drive("drive", {"--no-pictures", "--seed", "2", "--force"})).exit_code, 0);
+  EXPECT_EQ(run_aisle(drive("drive", {"--no-images", "--seed", "2", "--force"})).exit_code, 0);
   EXPECT_FALSE(read_bytes(at("drive/drive_0.db3")) == before);
 }
 

@@ -22,7 +22,7 @@ class DriveInTerminal : public Workplace {
  protected:
   void SetUp() override {
     person_at_ = std::make_unique<AisleInTerminal>(
-        Arguments{"drive", "mini-corridor", "--vehicle", "mini", "--no-pictures", "--out", at("drive")});
+        Arguments{"drive", "mini-corridor", "--vehicle", "mini", "--no-images", "--out", at("drive")});
     before_ = person_at_->settings();
     until([](double) { return true; });
   }

@@ -31,7 +31,7 @@ class HostileInput : public Workplace {
             {"map", path, "--relations", path},
             {"explore", "l-corridor", "--vehicle", path},
             {"explore", "l-corridor", "--params", path},
-            {"drive", "l-corridor", "--scenario", path},
+            {"drive", "l-corridor", "--faults", path},
             {"calibrate", "camera", path},
             {"detect", path},
             {"maze", "explore", path}};

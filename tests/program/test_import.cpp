@@ -162,7 +162,8 @@ TEST_F(Import, ALaserLogBecomesASession) {
   ASSERT_EQ(run_aisle({"import", log, "--laser-offset", "0.1", "--out", at("placed")}).exit_code, 0);
   EXPECT_EQ(run_aisle({"replay", at("placed"), "--navigator", "hand"}).exit_code, 0);
   EXPECT_THAT(run_aisle({"learn", at("placed"), "--json"}), IsRefused("without a camera"));
-  EXPECT_THAT(run_aisle({"import", log, "--rate", "5", "--out", at("other"), "--json"}), IsRefused("--rate"));
+  EXPECT_THAT(run_aisle({"import", log, "--image-rate", "5", "--out", at("other"), "--json"}),
+              IsRefused("--image-rate"));
   EXPECT_THAT(run_aisle({"import", log, "--vehicle", "mini", "--out", at("other"), "--json"}),
               IsRefused("scanner: is missing"));
   EXPECT_EQ(run_aisle({"import", log, "--vehicle", "alv-scanner", "--out", at("other")}).exit_code, 0);
@@ -182,7 +183,7 @@ TEST_F(Import, IsNamedByVerbsThatAreGivenARecording) {
 
 TEST_F(Import, WhatASessionLacksIsSaidByTheVerbsThatNeedIt) {
   ASSERT_EQ(run_aisle({"import", tub(), "--out", at("drive")}).exit_code, 0);
-  for (const char* method : {"landmarks", "sections", "route"})
+  for (const char* method : {"landmarks", "sections", "rooms"})
     EXPECT_THAT(run_aisle({"learn", at("drive"), "--method", method, "--json"}),
                 IsRefused("has no odometry"));
   EXPECT_THAT(run_aisle({"replay", at("drive"), "--json"}), IsRefused("no decisions to compare with"));
@@ -217,12 +218,12 @@ TEST_F(Import, RefusalsAreOneLineAndLeaveNothing) {
   fs::remove(at("tub/manifest.json"));
   fs::remove(at("tub/catalog_0.catalog"));
   EXPECT_THAT(run_aisle({"import", at("tub/images"), "--out", at("drive"), "--json"}),
-              IsRefused("--rate HZ"));
-  EXPECT_THAT(run_aisle({"import", at("tub/images"), "--rate", "0", "--out", at("drive"), "--json"}),
-              IsRefused("--rate"));
+              IsRefused("--image-rate HZ"));
+  EXPECT_THAT(run_aisle({"import", at("tub/images"), "--image-rate", "0", "--out", at("drive"), "--json"}),
+              IsRefused("--image-rate"));
   EXPECT_FALSE(fs::exists(at("drive")));
-  ASSERT_EQ(run_aisle({"import", at("tub/images"), "--rate", "5", "--out", at("drive")}).exit_code, 0);
-  EXPECT_THAT(run_aisle({"import", at("tub/images"), "--rate", "5", "--out", at("drive"), "--json"}),
+  ASSERT_EQ(run_aisle({"import", at("tub/images"), "--image-rate", "5", "--out", at("drive")}).exit_code, 0);
+  EXPECT_THAT(run_aisle({"import", at("tub/images"), "--image-rate", "5", "--out", at("drive"), "--json"}),
               IsRefused("--force"));
 }
 

@@ -175,7 +175,7 @@ TEST_F(LiveProgram, RunsMissionsAndAnswersQuestions) {
 }
 
 TEST_F(LiveProgram, WatchesAnotherVerb) {
-  start({"drive", "l-corridor", "--operator", "page", "--live", "--no-pictures", "--json"});
+  start({"drive", "l-corridor", "--operator", "page", "--live", "--no-images", "--json"});
   LiveClient client(port);
   client.subscribe_to_all();
   client.read_until([&] { return state_of(client)["mission"] == "drive"; });
@@ -194,11 +194,11 @@ TEST_F(LiveProgram, WatchesAnotherVerb) {
 }
 
 TEST_F(LiveProgram, ListsTheSessionsOfAFolderWhileAnotherVerbIsWatched) {
-  ASSERT_EQ(run_aisle({"drive", "l-corridor", "--out", at("kept/run"), "--no-pictures", "--keys",
+  ASSERT_EQ(run_aisle({"drive", "l-corridor", "--out", at("kept/run"), "--no-images", "--keys",
                        file("keys", "0-0.5 up\n")})
                 .exit_code,
             0);
-  start({"drive", "l-corridor", "--operator", "page", "--live", "--no-pictures", "--sessions", at("kept")});
+  start({"drive", "l-corridor", "--operator", "page", "--live", "--no-images", "--sessions", at("kept")});
   LiveClient client(port);
   EXPECT_EQ(client.call("sessions/list")["sessions"][0]["name"], "run");
 }

@@ -42,9 +42,9 @@ nlohmann::json run_for_figures(const Arguments& arguments, int exit_code = 0) {
 
 TEST_F(Rooms, APathThatWasShownOnceIsDrivenIntoItsFrame) {
   const std::string world = file("room.yaml", kRoom);
-  run_for_figures({"teach", world, "--method", "route", "--route", "to the bay", "--operator", "scripted",
+  run_for_figures({"teach", world, "--method", "rooms", "--route", "to the bay", "--operator", "scripted",
                    "--out", at("taught")});
-  const auto learned = run_for_figures({"learn", at("taught"), "--method", "route", "--out", at("learned")});
+  const auto learned = run_for_figures({"learn", at("taught"), "--method", "rooms", "--out", at("learned")});
   EXPECT_EQ(learned["parking"], "frame");
   EXPECT_NEAR(learned["frame_size_m"][0].get<double>(), 1.64, 0.03);
   EXPECT_NEAR(learned["frame_size_m"][1].get<double>(), 1.14, 0.03);
@@ -126,7 +126,7 @@ TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
   EXPECT_EQ(run_aisle({"park", building, "route", "--world", world, "--vehicle", "mini"}).exit_code, 2);
   EXPECT_EQ(run_aisle({"park", building, "route", "--world", world, "--start", "1,2"}).exit_code, 2);
   const ProgramRun unknown = run_aisle(
-      {"teach", world, "--method", "route", "--route", "none", "--operator", "scripted", "--out", at("x")});
+      {"teach", world, "--method", "rooms", "--route", "none", "--operator", "scripted", "--out", at("x")});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("routes: none is 'none'"));
 }

@@ -15,7 +15,7 @@ class Scenarios : public Workplace {
  protected:
   ProgramRun drive(const std::string& world, const std::string& scenario) const {
     return run_aisle(
-        {"drive", world, "--scenario", scenario, "--operator", "scripted", "--no-pictures", "--json"});
+        {"drive", world, "--faults", scenario, "--operator", "scripted", "--no-images", "--json"});
   }
 };
 
@@ -57,7 +57,7 @@ TEST_F(Scenarios, PlacesMeanNothingInAnotherWorld) {
 TEST_F(Scenarios, DroppedImagesAreMissing) {
   file("keys.txt", "0-12.5 up\n");
   const ProgramRun run = run_aisle({"drive", "mini-corridor", "--vehicle", "mini", "--keys", at("keys.txt"),
-                                    "--scenario", "camera-dropped", "--json"});
+                                    "--faults", "camera-dropped", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto figures = run.json()["figures"];
   EXPECT_NEAR(figures["cycles"].get<int>() - figures["pictures"].get<int>(), 20, 1);

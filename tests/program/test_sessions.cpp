@@ -123,7 +123,7 @@ TEST_F(Session, ACutIsASessionOfThatPart) {
 }
 
 TEST_F(Session, McapHoldsTheSame) {
-  const ProgramRun driven = run_aisle(drive("other", {"--no-pictures", "--storage", "mcap"}));
+  const ProgramRun driven = run_aisle(drive("other", {"--no-images", "--storage", "mcap"}));
   ASSERT_EQ(driven.exit_code, 0) << driven.err;
   EXPECT_THAT(names_in(at("other")), testing::ElementsAre("metadata.yaml", "other_0.mcap"));
   EXPECT_EQ(run_aisle({"replay", at("other"), "--json"}).exit_code, 0);
@@ -183,6 +183,17 @@ TEST_F(Session, DamagedMetadataIsRefusedWithItsLine) {
     for (const Arguments& arguments : readers_of(session())) {
       EXPECT_THAT(run_aisle(arguments), IsRefused("metadata.yaml")) << arguments[0] << text;
     }
+  }
+}
+
+TEST_F(Session, EndedBeforeItsFirstSecondItSaysSo) {
+  for (const SessionStorage storage : {SessionStorage::kSqlite, SessionStorage::kMcap}) {
+    const std::string killed = at(storage == SessionStorage::kMcap ? "killed-mcap" : "killed");
+    const auto recording =
+        SessionWriter::create(killed, false, storage);  // its files now are what a kill leaves
+    for (const Arguments& reader :
+         {Arguments{"info", killed, "--json"}, {"replay", killed, "--json"}, {"learn", killed, "--json"}})
+      EXPECT_THAT(run_aisle(reader), IsRefused("ended before its first second")) << reader[0];
   }
 }
 

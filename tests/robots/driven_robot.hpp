@@ -33,10 +33,10 @@ class DrivenRobot : public Workplace {
                            domain,
                            "--out",
                            connection(),
-                           "--size",
+                           "--footprint",
                            fmt::format("{},{},{}", footprint["front_m"].get<double>(),
                                        footprint["rear_m"].get<double>(), footprint["width_m"].get<double>()),
-                           "--speed",
+                           "--speed-max",
                            "0.4"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_aisle(arguments);

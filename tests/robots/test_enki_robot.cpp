@@ -19,7 +19,7 @@ TEST_F(EnkiRobot, IsTriedAndExplores) {
                              ENKI_ROBOT);
   robot.wait_until_ready();
   const ProgramRun written = run_aisle({"connect", "init", "--domain", domain, "--out", at("robot.yaml"),
-                                        "--size", "0.09,0.09,0.18", "--speed", "0.3"});
+                                        "--footprint", "0.09,0.09,0.18", "--speed-max", "0.3"});
   ASSERT_EQ(written.exit_code, 0) << written.err;
   const ProgramRun tried = run_aisle({"connect", "try", "--connect", at("robot.yaml")});
   ASSERT_EQ(tried.exit_code, 0) << tried.out << tried.err;

@@ -75,8 +75,8 @@ class TaughtRobot : public FaultyRobot {
 
   static void teach() {
     const std::string domain = std::to_string(drivers_domain());
-    ASSERT_EQ(run_aisle({"connect", "init", "--domain", domain, "--out", in("robot.yaml"), "--size",
-                         "0.25,0.1,0.3", "--speed", "0.4"})
+    ASSERT_EQ(run_aisle({"connect", "init", "--domain", domain, "--out", in("robot.yaml"), "--footprint",
+                         "0.25,0.1,0.3", "--speed-max", "0.4"})
                   .exit_code,
               0);
     RunningAisle teaching(
@@ -191,7 +191,7 @@ TEST_F(TaughtRobot, IsRefusedToWhoCannotDriveItOrWantsOtherCameras) {
   const ProgramRun drive = run_aisle({"drive", "--connect", in("robot.yaml"), "--operator", "scripted"});
   EXPECT_EQ(drive.exit_code, 2);
   EXPECT_THAT(drive.err, HasSubstr("a scripted person cannot drive a robot"));
-  const ProgramRun room = run_aisle({"teach", "--connect", in("robot.yaml"), "--method", "route",
+  const ProgramRun room = run_aisle({"teach", "--connect", in("robot.yaml"), "--method", "rooms",
                                      "--operator", "joystick", "--out", in("room")});
   EXPECT_EQ(room.exit_code, 2);
   EXPECT_THAT(room.err, HasSubstr("there is no camera top"));

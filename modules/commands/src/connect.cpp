@@ -122,7 +122,7 @@ Result<std::string> new_vehicle(const ConnectInitOptions& options) {
   if (!options.footprint)
     return Problem{
         {"connect init"},
-        "cannot know the robot's size: give '--size FRONT,REAR,WIDTH' in metres from the middle of "
+        "cannot know the robot's size: give '--footprint FRONT,REAR,WIDTH' in metres from the middle of "
         "its driven axle, or '--vehicle' with a vehicle file or the name of a shipped one"};
   VehicleDescription vehicle;
   vehicle.name = options.out.stem().string();

@@ -97,7 +97,6 @@ Result<Image> read_image_of(const std::optional<CameraCalibration>& camera, cons
 /// Writes all drawings into the overlay directory. @return role -> path
 Result<std::map<std::string, std::string>> write(const std::vector<OutputFile>& drawings,
                                                  const DetectOptions& options) {
-  if (options.overlay->empty()) return Problem{{"--overlay"}, "names no directory"};
   std::vector<std::string> names;
   names.reserve(drawings.size());
   for (const OutputFile& drawing : drawings) names.push_back(drawing.name);

@@ -11,7 +11,7 @@ Outcome learn_parameters() {
 }
 
 Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
-  const auto method = method_named(options.method);
+  const auto method = method_named(options.method, console);
   if (!method) return method.problems();
   LearnParams params;
   FieldList fields = fields_of(params);

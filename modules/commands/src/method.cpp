@@ -4,7 +4,14 @@
 
 namespace aisle {
 
-Result<const Method*> method_named(const std::string& name) {
+std::string present_method(const std::string& name, Console& console) {
+  if (name != "route") return name;
+  console.warn(fmt::format("the method 'route' is now '{}'", kRoomMethod.name));
+  return kRoomMethod.name;
+}
+
+Result<const Method*> method_named(const std::string& given, Console& console) {
+  const std::string name = present_method(given, console);
   std::string names;
   for (const Method* method : {&kLandmarkMethod, &kSectionMethod, &kRoomMethod}) {
     if (method->name == name) return method;

@@ -30,7 +30,7 @@ std::vector<std::string> drivable_by(const Building& building) {
   if (has_route([](const Route& route) { return !route.sections.empty(); }))
     verbs.emplace_back("navigate --method sections");
   if (has_route([](const Route& route) { return route.room.has_value(); }))
-    verbs.emplace_back("navigate --method route");
+    verbs.emplace_back("navigate --method rooms");
   return verbs;
 }
 

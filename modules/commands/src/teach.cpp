@@ -31,13 +31,13 @@ Result<VehicleDescription> taught_vehicle(const DriveOptions& drive) {
 }  // namespace
 
 Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
-  const auto found = method_named(options.method);
+  const auto found = method_named(options.method, console);
   if (!found) return found.problems();
   const Method& method = **found;
   if (Problems problems = check_route_name({"", 0, "--route"}, options.route); !problems.empty())
     return problems;
   if (options.shows_view_pattern && !method.learns_views)
-    return Problem{{"", 0, "--views"}, "the pattern needs --method route"};
+    return Problem{{"", 0, "--views"}, "the pattern needs --method rooms"};
   DriveOptions drive = options.drive;
   drive.vehicle = method.vehicle_or_usual(drive.vehicle);
   const auto vehicle = taught_vehicle(drive);

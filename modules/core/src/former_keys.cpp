@@ -29,6 +29,7 @@ constexpr auto kRenamed = std::to_array<std::pair<std::string_view, std::string_
     {"pictures", "images"},
     {"places_per_picture", "places_per_image"},
     {"room_m", "clearance_m"},
+    {"route", "rooms"},
     {"same_gate_m", "same_frontier_m"},
     {"spare_wanted_m", "clearance_wanted_m"},
     {"strange_colour", "unmatched_colour"},

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "aisle/commands/method.hpp"
 #include "aisle/commands/method_params.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "exploration/exploration_trial.hpp"
@@ -24,7 +25,7 @@ Result<TrialParams> read_params(const TrialOptions& options) {
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   if (options.speed_mps)
     params.landmarks.navigator.speed.speed_mps = params.sections.navigator.speed.speed_mps =
-        params.route.navigator.speed_mps = *options.speed_mps;
+        params.rooms.navigator.speed_mps = *options.speed_mps;
   return params;
 }
 
@@ -45,9 +46,9 @@ struct TrialMethod {
 constexpr TrialMethod kTrialMethods[] = {
     {"landmarks", with_params<trial_by_landmarks, &TrialParams::landmarks>},
     {"sections", with_params<trial_by_sections, &TrialParams::sections>},
-    {"route", with_params<trial_by_route, &TrialParams::route>},
-    {"turnings", with_params<trial_of_turnings, &TrialParams::route>},
-    {"park", with_params<trial_of_parking, &TrialParams::route>},
+    {"rooms", with_params<trial_by_route, &TrialParams::rooms>},
+    {"turnings", with_params<trial_of_turnings, &TrialParams::rooms>},
+    {"park", with_params<trial_of_parking, &TrialParams::rooms>},
     {"explore", run_exploration_trial},
     {"localise", run_localisation_trial}};
 
@@ -59,8 +60,9 @@ Outcome trial_parameters() {
 }
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
+  const std::string method = present_method(options.method, console);
   for (const TrialMethod& trial : kTrialMethods) {
-    if (trial.name == options.method) return trial.run(options, console);
+    if (trial.name == method) return trial.run(options, console);
   }
   std::vector<std::string_view> names;
   for (const TrialMethod& trial : kTrialMethods) names.push_back(trial.name);

@@ -20,7 +20,7 @@ class Impatient final : public Progress {
 };
 
 TEST(Trial, IsInterruptedInTheMiddleOfAMission) {
-  for (const char* method : {"explore", "landmarks", "sections", "route"}) {
+  for (const char* method : {"explore", "landmarks", "sections", "rooms"}) {
     TrialOptions options;
     options.method = method;
     options.last_seed = 3;

@@ -34,7 +34,7 @@ export interface MissionForm {
 
 const keep_session: Field = { key: "session", label: text.fields.record_as, kind: "new_session" };
 const building: Field = { key: "building", label: text.fields.building, kind: "building", is_needed: true };
-const methods = ["landmarks", "sections", "route"];
+const methods = ["landmarks", "sections", "rooms"];
 
 export const mission_forms: MissionForm[] = [
   {

@@ -47,7 +47,8 @@ Result<ImportedRecording> open_images(const ImportOptions& options, const ImageS
 }
 
 Result<ImportedRecording> open_scans(const ImportOptions& options) {
-  if (options.rate_hz) return Problem{{options.recording}, "has stamps: --rate is for images that have none"};
+  if (options.rate_hz)
+    return Problem{{options.recording}, "has stamps: --image-rate is for images that have none"};
   auto recording = read_laser_recording(options.recording, options.reading);
   if (!recording) return recording.problems();
   ImportedRecording imported;

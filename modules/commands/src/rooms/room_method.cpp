@@ -51,14 +51,14 @@ Problems prepare_for_rooms(const TeachOptions& options, const VehicleDescription
 }  // namespace
 
 const Method kRoomMethod = {
-    .name = "route",
+    .name = "rooms",
     .usual_vehicle = "alv",
     .learns_from_several = false,
     .learns_views = true,
     .prepare = prepare_for_rooms,
     .learn = [](const LearnOptions& options, const LearnParams& params,
-                Console& console) { return learn_by_route(options, params.route, console); },
+                Console& console) { return learn_by_route(options, params.rooms, console); },
     .navigate = [](const NavigateOptions& options, const NavigateParams& params,
-                   Console& console) { return navigate_by_route(options, params.route, console); }};
+                   Console& console) { return navigate_by_route(options, params.rooms, console); }};
 
 }  // namespace aisle

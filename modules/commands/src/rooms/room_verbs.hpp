@@ -1,5 +1,5 @@
 #pragma once
-/// The verbs of learning and driving with `--method route` (L96).
+/// The verbs of learning and driving with `--method rooms` (L96).
 
 #include "aisle/commands/learn_options.hpp"
 #include "aisle/commands/navigate_options.hpp"

@@ -119,6 +119,7 @@ Result<Outcome> info_of(const SessionInfoOptions& options, Console& console) {
   const auto summary = summarise_session(options.input);
   if (!summary && may_be_session(options.input)) return summary.problems();
   const auto cycles = SessionCycles::open(options.input);
+  if (!cycles && summary && summary->topics.empty()) return cycles.problems();  // killed at once
   if (!cycles) return recording_info(options.input, console);
   if (!summary) return summary.problems();
 

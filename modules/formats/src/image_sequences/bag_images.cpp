@@ -130,7 +130,7 @@ double BagImageSequence::period_s() const {
 Result<std::unique_ptr<ImageSequence>> open_bag_images(const std::filesystem::path& path,
                                                        const ImageSequenceOptions& options) {
   const std::string file = path.string();
-  if (options.rate_hz) return Problem{{file}, "has stamps: --rate is for images that have none"};
+  if (options.rate_hz) return Problem{{file}, "has stamps: --image-rate is for images that have none"};
   auto bag = BagReader::open(path);
   if (!bag) return bag.problems();
   Problems choices;

@@ -78,7 +78,7 @@ std::vector<TubRecord> read_old_records(const std::vector<fs::path>& files, bool
     if (record) {
       records.push_back(std::move(*record));
     } else {
-      unreadable.add({{file.string()}, "is no record with image and milliseconds (or use --rate HZ)"});
+      unreadable.add({{file.string()}, "is no record with image and milliseconds (or use --image-rate HZ)"});
     }
   }
   return records;
@@ -105,9 +105,10 @@ void warn_of_conversion(ImageList& list) {
   if (step_s * kFastestCamera_hz >= 1) return;
   list.warnings.push_back(
       {{list.recording.string()},
-       fmt::format("has stamps {:.1f} ms apart, faster than a camera: they may be of a conversion; --rate HZ "
-                   "gives the images' rate",
-                   1000 * step_s)});
+       fmt::format(
+           "has stamps {:.1f} ms apart, faster than a camera: they may be of a conversion; --image-rate HZ "
+           "gives the images' rate",
+           1000 * step_s)});
 }
 
 Result<std::unique_ptr<ImageSequence>> sequence_of(std::vector<TubRecord> records, const fs::path& images,

@@ -101,7 +101,8 @@ Problems check_columns(const Header& header, const fs::path& file, const ImageSe
          "'x_m,y_m,heading_deg', 'distance_m,steering_deg' or 'speed_mps,yaw_rate_dps'"});
   }
   if (!header.find("stamp_s") && !options.rate_hz)
-    problems.push_back({{file.string(), 1}, "has no column 'stamp_s'; --rate HZ gives the images' rate"});
+    problems.push_back(
+        {{file.string(), 1}, "has no column 'stamp_s'; --image-rate HZ gives the images' rate"});
   return problems;
 }
 

@@ -75,10 +75,11 @@ Result<std::unique_ptr<ImageSequence>> open_image_folder(const fs::path& folder,
         "a folder of images"};
   }
   if (!options.rate_hz) {
-    return Problem{{folder.string()},
-                   fmt::format("has {} images without stamps: --rate HZ gives their rate, or a list of them "
-                               "(CSV: stamp_s,file) their stamps",
-                               list.images.size())};
+    return Problem{
+        {folder.string()},
+        fmt::format("has {} images without stamps: --image-rate HZ gives their rate, or a list of them "
+                    "(CSV: stamp_s,file) their stamps",
+                    list.images.size())};
   }
   for (std::size_t i = 0; i < list.images.size(); ++i)
     list.images[i].stamp_s = static_cast<double>(i) / *options.rate_hz;

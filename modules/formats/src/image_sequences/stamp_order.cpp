@@ -23,7 +23,8 @@ Problems order_stamps(ImageList& list) {
   std::vector<ListedImage>& images = list.images;
   const double usual_s = usual_step_ahead_s(images);
   if (images.size() > 1 && usual_s == 0)
-    return {{{list.recording.string()}, "has stamps that stand still; --rate HZ gives the images' rate"}};
+    return {
+        {{list.recording.string()}, "has stamps that stand still; --image-rate HZ gives the images' rate"}};
   LeftOut backward;
   double shift_s = 0;
   for (std::size_t i = 1; i < images.size(); ++i) {
@@ -35,9 +36,9 @@ Problems order_stamps(ImageList& list) {
     images[i].stamp_s = recorded_s + shift_s;
   }
   if (!images.empty() && images.back().stamp_s > kStampMax_s) {
-    return {
-        {{list.recording.string()},
-         "has a clock that jumps so often that its stamps make no sense; --rate HZ gives the images' rate"}};
+    return {{{list.recording.string()},
+             "has a clock that jumps so often that its stamps make no sense; --image-rate HZ gives the "
+             "images' rate"}};
   }
   if (backward.count() > 0) {
     list.warnings.push_back(

@@ -141,13 +141,30 @@ Result<std::optional<std::string>> McapSession::first_of(const std::string& topi
   return std::optional<std::string>();
 }
 
+/// A recording that was killed before its first second was written: a head, and nothing behind it.
+class EmptyMcapSession final : public SessionSource {
+ public:
+  explicit EmptyMcapSession(const std::filesystem::path& path) : SessionSource(path) {}
+
+  const std::vector<SessionTopic>& topics() const override { return no_topics_; }
+  Result<std::optional<SessionReader::Message>> next() override {
+    return std::optional<SessionReader::Message>();
+  }
+  Result<std::optional<std::string>> first_of(const std::string&) const override {
+    return std::optional<std::string>();
+  }
+  Result<std::optional<Row>> next_row() override { return std::optional<Row>(); }
+
+ private:
+  std::vector<SessionTopic> no_topics_;
+};
+
 }  // namespace
 
 Result<std::unique_ptr<SessionSource>> open_mcap_session(const std::filesystem::path& path) {
   auto bag = BagReader::open(path);
   if (!bag && begins_with_magic(path) && !ends_with_magic(path))
-    return Problem{{path.string()},
-                   "holds no message: the session ended before its first second was written"};
+    return std::unique_ptr<SessionSource>(std::make_unique<EmptyMcapSession>(path));
   if (!bag) return bag.problems();
   auto session = std::make_unique<McapSession>(path, std::move(*bag));
   if (Problems problems = session->begin(); !problems.empty()) return problems;

@@ -136,7 +136,7 @@ TEST(BagImages, OfSeveralTopicsTheUserNamesOne) {
               HasSubstr("has no images but nav_msgs/msg/Odometry"));
   EXPECT_THAT(read_images(messages, {.topic = "/rear"}).problems, HasSubstr("is no such topic of the bag"));
   EXPECT_THAT(read_images(drive()).problems, AllOf(HasSubstr("has no images"), HasSubstr("/odom")));
-  EXPECT_THAT(read_images(images(), {.rate_hz = 5}).problems, HasSubstr("--rate"));
+  EXPECT_THAT(read_images(images(), {.rate_hz = 5}).problems, HasSubstr("--image-rate"));
 }
 
 TEST(BagImages, TheLensIsThatOfTheCalibrationBesideThem) {

@@ -133,7 +133,7 @@ TEST_F(DonkeyTub, StampsThatStandStillNeedARate) {
   std::map<int, std::string> still;
   for (int i = 0; i < 10; ++i) still[i] = catalog_line(i, kTubStart_ms);
   write_catalog(still);
-  EXPECT_THAT(refusal(), HasSubstr("--rate HZ"));
+  EXPECT_THAT(refusal(), HasSubstr("--image-rate HZ"));
   EXPECT_THAT(refusal({.rate_hz = 10, .front_steered = {}}), IsEmpty());
 }
 

@@ -53,7 +53,7 @@ TEST(NaturalOrder, CountsDigits) {
 TEST_F(ImageFolder, WithoutAListNeedsARate) {
   const auto refused = open_image_sequence(folder.string());
   ASSERT_FALSE(refused.ok());
-  EXPECT_THAT(to_string(refused.problems()), HasSubstr("has 4 images without stamps: --rate HZ"));
+  EXPECT_THAT(to_string(refused.problems()), HasSubstr("has 4 images without stamps: --image-rate HZ"));
   const auto images = read_all(*open({.rate_hz = 4, .front_steered = {}}));
   ASSERT_THAT(images, SizeIs(4));
   EXPECT_EQ(images[2].bytes, sample_jpeg(9));
@@ -122,7 +122,7 @@ TEST_F(ImageFolder, BadRowsAreLeftOutWithOneWarning) {
 
 TEST_F(ImageFolder, HeadersThatCannotBeMeantAreRefused) {
   EXPECT_THAT(refusal_of_list("time,name\n1,a.jpg\n"), HasSubstr("has no column 'file'"));
-  EXPECT_THAT(refusal_of_list("file\na.jpg\n"), HasSubstr("has no column 'stamp_s'; --rate HZ"));
+  EXPECT_THAT(refusal_of_list("file\na.jpg\n"), HasSubstr("has no column 'stamp_s'; --image-rate HZ"));
   EXPECT_THAT(refusal_of_list("stamp_s,file,x_m,y_m\n1,a.jpg,0,0\n"),
               HasSubstr("has not all of the columns x_m, y_m, heading_deg"));
   EXPECT_THAT(refusal_of_list("stamp_s,file,x_m,y_m,heading_deg,speed_mps,yaw_rate_dps\n"),

@@ -180,7 +180,8 @@ TEST(SessionStorage, ASessionThatWasKilledBeforeItsFirstSecondSaysSo) {
   for (const SessionStorage storage : {SessionStorage::kSqlite, SessionStorage::kMcap}) {
     const fs::path directory =
         fs::temp_directory_path() / ("aisle_first_second_" + std::to_string(::getpid()));
-    ASSERT_TRUE(SessionWriter::create(directory, true, storage).ok());
+    const auto writer = SessionWriter::create(directory, true, storage);  // what it has now, a kill leaves
+    ASSERT_TRUE(writer.ok());
     EXPECT_THAT(to_string(SessionCycles::open(directory).problems()),
                 HasSubstr("ended before its first second"));
     fs::remove_all(directory);

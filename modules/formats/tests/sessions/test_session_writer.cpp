@@ -28,9 +28,7 @@ std::string payload(ros::Stamp_ns stamp) {
 /// The stamps in a session; every message must contain what was written to it.
 std::vector<ros::Stamp_ns> stamps_in(const fs::path& directory) {
   auto reader = SessionReader::open(directory);
-  if (!reader) {
-    EXPECT_THAT(to_string(reader.problems()), HasSubstr("ended before its first second"));
-  }
+  EXPECT_TRUE(reader.ok()) << to_string(reader.problems());
   std::vector<ros::Stamp_ns> stamps;
   while (reader.ok()) {
     const auto message = reader->next();

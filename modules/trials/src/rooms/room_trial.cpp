@@ -148,7 +148,7 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
                      {"safe_stop_share", trial.share(trial.stopped)}};
   outcome.figures.update(park_figures(trial));
   outcome.figures.erase("success_share");
-  outcome.figures["method"] = "route";
+  outcome.figures["method"] = "rooms";
   outcome.text = fmt::format(
       "simulated, furniture and light changed: {} missions driven, {:.1f} % of them arrived,\n"
       "{:.1f} % stopped safely, {} collisions\n",

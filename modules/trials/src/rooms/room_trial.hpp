@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// `trial route`: routes of a world with moved furniture and changed light.
+/// `trial rooms`: routes of a world with moved furniture and changed light.
 Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console);
 /// `trial turnings`: the thirteen turnings, each in its own room, or pairs that are too close.
 Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,

@@ -11,16 +11,16 @@
 
 namespace aisle {
 
-template <class Landmarks, class Sections, class Route>
+template <class Landmarks, class Sections, class Rooms>
 struct MethodParams {
   Landmarks landmarks;
   Sections sections;
-  Route route;
+  Rooms rooms;
 
   void describe(FieldList& fields) {
     landmarks.describe(fields);
     fields.group("sections", sections);
-    fields.group("route", route);
+    fields.group("rooms", rooms);
   }
 };
 
