@@ -14,8 +14,10 @@ endif()
 add_library(aisle_build INTERFACE)
 # The same bits on every machine: one instruction set, no contraction to fused multiply-adds.
 target_compile_options(aisle_build INTERFACE -ffp-contract=off)
+set(AISLE_INSTRUCTION_SET "${CMAKE_SYSTEM_PROCESSOR}")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  target_compile_options(aisle_build INTERFACE -march=x86-64-v2)
+  set(AISLE_INSTRUCTION_SET x86-64-v2)
+  target_compile_options(aisle_build INTERFACE -march=${AISLE_INSTRUCTION_SET})
 endif()
 
 # Bytes of strangers are read: a fault shall end the program, not serve whoever sent them. tests/hardening checks it.

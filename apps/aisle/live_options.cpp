@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "version.hpp"
+
 using namespace aisle;
 
 namespace {
@@ -13,7 +15,7 @@ constexpr double kRateMax = 1000;
 }  // namespace
 
 void add_listening_options(CLI::App& verb, LiveListening& listening) {
-  listening.version = AISLE_VERSION;
+  listening.version = release();
   verb.add_option("--port", listening.port, "port of the page (default 8765; 0: any free port)");
   verb.add_option(
       "--listen", listening.address,

@@ -5,16 +5,21 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "aisle/core/terminal_text.hpp"
+#include "completion.hpp"
 #include "examples.hpp"
 #include "former_names.hpp"
+#include "manual.hpp"
 #include "suggestion.hpp"
 #include "terminal_progress.hpp"
 #include "verb.hpp"
+#include "version.hpp"
 
 namespace {
 
@@ -82,7 +87,7 @@ int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output outpu
   const bool has_verbs_below = !deepest->get_subcommands([](const CLI::App*) { return true; }).empty();
   const std::vector<std::string> unknown = app.remaining(true);
   std::string why = error.what();
-  if (verb.empty() && !unknown.empty()) why = "unknown verb or option '" + unknown.front() + "'";
+  if (has_verbs_below && !unknown.empty()) why = "unknown verb or option '" + unknown.front() + "'";
   const auto word = std::find_if(unknown.begin(), unknown.end(), [&](const std::string& one) {
     return has_verbs_below || one.starts_with("--");
   });
@@ -112,6 +117,7 @@ int run(const std::string& verb, const Work& work, const Output& output) {
 
 void add_verbs(CLI::App& app, Work& work) {
   add_show_verbs(app, work);
+  add_doctor_verb(app, work);
   add_convert_verb(app, work);
   add_map_verb(app, work);
   add_localise_verb(app, work);
@@ -135,17 +141,36 @@ void add_verbs(CLI::App& app, Work& work) {
                      "aisle go out/office/building.json \"end 1\" --world small-office", "aisle help map"});
 }
 
+/// `aisle manual DIR`, which the build runs: the help as manual pages.
+int write_manual(const CLI::App& app, const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  for (const auto& [name, page] : manual_pages(app)) {
+    std::ofstream file(directory / name);
+    if (file << page << std::flush) continue;
+    fmt::print(stderr, "{}: cannot be written\n", (directory / name).string());
+    return kInternalError;
+  }
+  return kDone;
+}
+
 int run_program(int argc, char** argv) {
-  CLI::App app("aisle: a robot vehicle that learns a building and drives there autonomously", "aisle");
-  app.set_version_flag("--version", AISLE_VERSION);
+  CLI::App app("a robot vehicle that learns a building and drives there autonomously", "aisle");
+  app.set_version_flag("--version", version());
   app.require_subcommand(1);
   Output output;
   app.add_flag("--json", output.json, "print one JSON object instead of text");
   app.add_flag("--quiet", output.quiet, "print neither warnings nor a progress bar");
   Work work;
   add_verbs(app, work);
+  app.footer(app.get_footer() +
+             "\n\nExit status:\n  0 done; 1 the mission failed; 2 bad usage or bad input; 3 internal error; "
+             "130 interrupted");
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (!words.empty() && words.front() == "help") {  // `aisle help map` is `aisle map --help`
+  const std::string first = words.empty() ? "" : words.front();
+  // What shells and the build ask for is no verb: the words behind `complete` are still being typed.
+  if (first == "complete") return print(completions(app, {words.begin() + 1, words.end()}), kDone);
+  if (first == "manual" && words.size() == 2) return write_manual(app, words.back());
+  if (first == "help") {  // `aisle help map` is `aisle map --help`
     words.erase(words.begin());
     words.emplace_back("--help");
   }

@@ -20,6 +20,7 @@ void add_maze_verb(CLI::App& app, Work& work);
 void add_session_verbs(CLI::App& app, Work& work);
 void add_detect_verb(CLI::App& app, Work& work);
 void add_calibrate_verb(CLI::App& app, Work& work);
+void add_doctor_verb(CLI::App& app, Work& work);
 void add_drive_verb(CLI::App& app, Work& work);
 void add_explore_verb(CLI::App& app, Work& work);
 void add_guide_verbs(CLI::App& app, Work& work);

@@ -5,8 +5,10 @@
 namespace aisle {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
 
 class Usage : public Workplace {};
 
@@ -27,10 +29,13 @@ TEST_F(Usage, HelpOfAVerbNamesItsOptions) {
   }
 }
 
-TEST_F(Usage, VersionIsThatOfTheVersionFile) {
+TEST_F(Usage, VersionSaysReleaseCommitBuildTypeAndInstructionSet) {
   const ProgramRun version = run_aisle({"--version"});
   EXPECT_EQ(version.exit_code, 0);
-  EXPECT_EQ(version.out, read_bytes(AISLE_SOURCE_DIR "/VERSION"));
+  std::string release = read_bytes(AISLE_SOURCE_DIR "/VERSION");
+  release.pop_back();  // its line end
+  EXPECT_THAT(version.out, StartsWith(release + " (commit "));
+  EXPECT_THAT(version.out, ContainsRegex("commit ([0-9a-f]{10}|unknown), [A-Za-z]+, [-a-z0-9_]+\\)\n$"));
 }
 
 TEST_F(Usage, MistakesAreRefusedInOneLine) {
@@ -49,6 +54,11 @@ TEST_F(Usage, MisspeltWordsGetASuggestion) {
               IsRefused("did you mean --relations?"));
   EXPECT_THAT(run_aisle({"trial", "foo", "--json"}),
               IsRefused("METHOD: 'foo' is none of landmarks, sections"));
+  EXPECT_THAT(run_aisle({"sim", "lo", "--json"}),
+              IsRefused("unknown verb or option 'lo'; did you mean log?"));
+  EXPECT_THAT(run_aisle({"explore", "crossings", "--vehicel", "alv", "--json"}),
+              IsRefused("did you mean --vehicle?"));
+  EXPECT_THAT(run_aisle({"docter", "--json"}), IsRefused("did you mean doctor?"));
 }
 
 TEST_F(Usage, HelpIsAlsoAWord) {

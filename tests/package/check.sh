@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Makes the packages of a build and unpacks them: fails unless they hold what they promise, their program runs from there,
+# the service is hardened and off, and lintian (if it is here) finds no error.
+# usage: check.sh CPACK CPACK_CONFIG
+set -euo pipefail
+checker=$(realpath "$(dirname "$0")/../readme/check_links.sh")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+umask 022
+"$1" --config "$2" -B "$work/packages" >"$work/cpack.log" 2>&1 || { cat "$work/cpack.log"; exit 1; }
+for package in aisle libaisle-dev aisle-doc; do
+  dpkg-deb --extract "$work"/packages/"$package"_*.deb "$work/root"
+done
+root=$work/root/usr
+
+for file in bin/aisle share/aisle/worlds/crossings.yaml share/man/man1/aisle.1.gz share/man/man1/aisle-explore.1.gz \
+  lib/systemd/system/aisle.service share/bash-completion/completions/aisle share/zsh/vendor-completions/_aisle \
+  share/fish/vendor_completions.d/aisle.fish lib/libaisle_core.a include/aisle/core/result.hpp \
+  lib/cmake/aisle/aisleConfig.cmake share/doc/aisle-doc/docs/how-to/install.md share/doc/aisle/copyright; do
+  [ -s "$root/$file" ] || { echo "no package holds $file"; exit 1; }
+done
+[ -z "$(find "$root" -name '*.wants')" ] || { echo "the service is on"; exit 1; }
+
+dpkg-deb --field "$work"/packages/aisle_*.deb Depends | grep -q 'libembree3' || { echo "aisle: dependencies are missing"; exit 1; }
+dpkg-deb --field "$work"/packages/libaisle-dev_*.deb Depends | grep -q 'libeigen3-dev' ||
+  { echo "libaisle-dev: dependencies are missing"; exit 1; }
+
+"$root/bin/aisle" doctor --quiet
+"$root/bin/aisle" sim show crossings >/dev/null
+"$checker" "$root/share/doc/aisle-doc"
+if command -v systemd-analyze >/dev/null; then
+  systemd-analyze security --offline=yes --threshold=25 "$root/lib/systemd/system/aisle.service" >"$work/security" ||
+    { cat "$work/security"; exit 1; }
+fi
+if command -v lintian >/dev/null; then
+  lintian --allow-root --fail-on error "$work"/packages/*.deb
+fi
+echo "packages hold what they promise"
