@@ -4,7 +4,7 @@ set(packages aisle libaisle-dev aisle-doc)
 # Whoever makes a package answers for it, as Debian's own tools ask.
 set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 if(CPACK_PACKAGE_CONTACT MATCHES "^ |<>$")
-  set(CPACK_PACKAGE_CONTACT "a local build of aisle <root@localhost.localdomain>")
+  set(CPACK_PACKAGE_CONTACT "a local build of aisle <local.build@example.org>")
 endif()
 file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/packaging")
 configure_file(packaging/changelog.in packaging/changelog.Debian @ONLY)
@@ -25,6 +25,7 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_DIRECTORY "${PROJECT_SOURCE_DIR}/out/packages")
 set(CPACK_PACKAGE_NAME aisle)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "robot that learns the inside of a building and drives there")
 set(CPACK_PACKAGE_VERSION "${AISLE_PACKAGE_VERSION}")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -34,11 +35,10 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_AISLE_PACKAGE_NAME aisle)
 set(CPACK_DEBIAN_AISLE_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_AISLE_PACKAGE_SHLIBDEPS ON)
-set(CPACK_COMPONENT_AISLE_DESCRIPTION "robot that learns the inside of a building and drives there
- Put a robot with a camera or a 2-D range scanner in an unknown building: aisle
- explores it, comes home, and leaves a map to navigate with. Robots that speak
- ROS 2 are driven without ROS installed; a simulator, worlds, vehicles and a
- page for the browser come with it.")
+set(CPACK_COMPONENT_AISLE_DESCRIPTION "Put a robot with a camera or a 2-D range scanner in an unknown building: aisle
+explores it, comes home, and leaves a map to navigate with. Robots that speak
+ROS 2 are driven without ROS installed; a simulator, worlds, vehicles and a
+page for the browser come with it.")
 # Live cameras are GStreamer's plugins, plans as PDF are read by pdftocairo; nothing else needs them.
 set(CPACK_DEBIAN_AISLE_PACKAGE_SUGGESTS
   "aisle-doc, gstreamer1.0-plugins-base, gstreamer1.0-plugins-good, poppler-utils")
@@ -55,15 +55,13 @@ list(JOIN libraries ", " libraries)
 set(CPACK_DEBIAN_LIBAISLE-DEV_PACKAGE_NAME libaisle-dev)
 set(CPACK_DEBIAN_LIBAISLE-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBAISLE-DEV_PACKAGE_DEPENDS "pkg-config, ${libraries}")
-set(CPACK_COMPONENT_LIBAISLE-DEV_DESCRIPTION "robot that learns the inside of a building - library
- The modules of aisle as static libraries, with their headers and a CMake
- configuration: find_package(aisle). They map laser logs, explore, localise,
- simulate and drive.")
+set(CPACK_COMPONENT_LIBAISLE-DEV_DESCRIPTION "The modules of aisle as static libraries, with their headers and a CMake
+configuration: find_package(aisle). They map laser logs, explore, localise,
+simulate and drive.")
 
 set(CPACK_DEBIAN_AISLE-DOC_PACKAGE_NAME aisle-doc)
 set(CPACK_DEBIAN_AISLE-DOC_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_AISLE-DOC_PACKAGE_ARCHITECTURE all)
-set(CPACK_COMPONENT_AISLE-DOC_DESCRIPTION "robot that learns the inside of a building - documentation
- Tutorials, how-to guides, reference and explanations of aisle, and the reports
- of what was measured, as Markdown.")
+set(CPACK_COMPONENT_AISLE-DOC_DESCRIPTION "Tutorials, how-to guides, reference and explanations of aisle, and the reports
+of what was measured, as Markdown.")
 include(CPack)
