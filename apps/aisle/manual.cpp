@@ -20,10 +20,12 @@ std::string roff(const std::string& text) {
       escaped += "\\e";
     else if (letter == '-')
       escaped += "\\-";
+    else if ((letter == '.' || letter == '\'') && (escaped.empty() || escaped.back() == '\n'))
+      escaped += std::string("\\&") + letter;
     else
       escaped += letter;
   }
-  return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
+  return escaped;
 }
 
 /// "aisle sim log"

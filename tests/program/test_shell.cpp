@@ -81,8 +81,7 @@ TEST_F(Manual, HasAPageForEveryVerbWithAllItsOptions) {
   EXPECT_THAT(program, HasSubstr(".SH EXIT STATUS\n"));
   for (const std::string& verb : verbs) {
     EXPECT_THAT(program, HasSubstr("\\fBaisle\\-" + verb + "\\fR")) << verb;
-    EXPECT_THAT(read_bytes(at("man1/aisle-" + verb + ".1")), StartsWith(".TH aisle\\-" + verb + " 1 "))
-        << verb;
+    EXPECT_THAT(read_bytes(at("man1/aisle-" + verb + ".1")), StartsWith(".TH aisle-" + verb + " 1 ")) << verb;
   }
   const std::string map = read_bytes(at("man1/aisle-map.1"));
   EXPECT_THAT(map, HasSubstr("\\fB\\-\\-units\\fR \\fIm|cm|mm\\fR\n"));
