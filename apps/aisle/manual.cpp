@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "version.hpp"
@@ -81,8 +83,13 @@ std::string footer_text(const CLI::App& verb) {
   for (std::string line; std::getline(footer, line);) {
     const bool is_heading = line.ends_with(':') && !line.starts_with(' ');
     if (is_heading && !text.empty()) text += ".fi\n";
-    text += is_heading ? fmt::format(".SH {}\n.nf\n", roff(line.substr(0, line.size() - 1)))
-                       : roff(line) + "\n";
+    if (is_heading) {
+      line.pop_back();
+      std::transform(line.begin(), line.end(), line.begin(), [](unsigned char c) { return std::toupper(c); });
+      text += fmt::format(".SH {}\n.nf\n", roff(line));
+    } else {
+      text += roff(line) + "\n";
+    }
   }
   return text.empty() ? text : text + ".fi\n";
 }

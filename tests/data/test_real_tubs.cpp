@@ -49,7 +49,7 @@ TEST_F(RealTubs, AnArchiveIsImportedAsItIs) {
   EXPECT_EQ(figures["images"], 1000);
   EXPECT_EQ(figures["left_out"], 0);
   // The recording was converted: its stamps are 3 ms apart, which is a guess at the rate and so a warning.
-  EXPECT_THAT(warnings, HasSubstr("--rate HZ gives the images' rate"));
+  EXPECT_THAT(warnings, HasSubstr("HZ gives the images' rate"));
 }
 
 }  // namespace

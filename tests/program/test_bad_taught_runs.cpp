@@ -84,7 +84,7 @@ TEST_F(BadTaughtRuns, ThePatternOfViewsIsDrivenAboutTaughtPlacesOnly) {
 }
 
 TEST_F(BadTaughtRuns, UnknownMethodsAreRefused) {
-  const char* what = "'owls' is unknown; there are: landmarks, sections, route";
+  const char* what = "'owls' is unknown; there are: landmarks, sections, rooms";
   EXPECT_THAT(run_aisle({"teach", "l-corridor", "--method", "owls", "--out", at("out"), "--json"}),
               IsRefused(what));
   EXPECT_THAT(run_aisle({"learn", at("none"), "--method", "owls", "--out", at("out"), "--json"}),

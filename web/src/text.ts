@@ -233,6 +233,7 @@ export const text = {
     none: "No building yet: explore one, or teach and learn a route.",
     name: "Name of the place",
     heading: "Heading in degrees",
+    zone_speed: "Speed in the zone, in metres per second",
     name_it: "Name it",
     undo: "Undo",
     redo: "Redo",
@@ -247,12 +248,21 @@ export const text = {
       place: { label: "Name a place", hint: "Click its position, then name it." },
       delete: {
         label: "Delete",
-        hint: "Click what is not really there: a wall, a landmark or a drawn line.",
+        hint: "Click what is not really there: a wall, a landmark, a drawn line or a zone's edge.",
       },
       keep_out: { label: "Keep-out line", hint: "Drag a line: the vehicle does not cross it." },
       glass: {
         label: "Glass",
         hint: "Drag along a pane that the sensors do not see: the vehicle does not drive into it.",
+      },
+      keep_out_zone: { label: "Keep-out zone", hint: "Drag a rectangle: the vehicle does not enter it." },
+      slow_zone: {
+        label: "Slow zone",
+        hint: "Choose a speed, then drag a rectangle: nowhere in it is driven faster.",
+      },
+      one_way_zone: {
+        label: "One-way zone",
+        hint: "Drag a rectangle the way it is to be driven: the vehicle drives no other way in it.",
       },
       clear: {
         label: "Clear the floor",
@@ -265,9 +275,10 @@ export const text = {
       routes: ["route", "routes"],
       places: ["place", "places"],
       barriers: ["drawn line", "drawn lines"],
+      zones: ["zone", "zones"],
     } as Record<string, [string, string]>,
     floor: "floor",
     nothing: "nothing yet",
-    parts: { walls: "wall", landmarks: "landmark", barriers: "line" },
+    parts: { walls: "wall", landmarks: "landmark", barriers: "line", zones: "zone" },
   },
 };

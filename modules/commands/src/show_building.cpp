@@ -34,6 +34,12 @@ std::vector<std::string> drivable_by(const Building& building) {
   return verbs;
 }
 
+OrderedJson zones_of(const Building& building) {
+  OrderedJson zones = OrderedJson::array();
+  for (const Zone& zone : building.zones) zones.push_back(words_for(zone));
+  return zones;
+}
+
 Outcome described(const Building& building) {
   Outcome outcome{.verb = "show"};
   OrderedJson places = OrderedJson::array(), routes = OrderedJson::array();
@@ -55,13 +61,16 @@ Outcome described(const Building& building) {
                      {"routes", routes},
                      {"places", places},
                      {"barriers", building.barriers.size()},
+                     {"zones", zones_of(building)},
                      {"driven_by", verbs}};
   outcome.text = fmt::format(
       "{}: {:.1f} m2 of free floor\n"
-      "  walls: {} ({:.1f} m), corridors: {} ({:.1f} m), landmarks: {}, lines drawn by a person: {}\n",
+      "  walls: {} ({:.1f} m), corridors: {} ({:.1f} m), landmarks: {}, lines and zones drawn by a person: "
+      "{} and {}\n",
       building.name, free_m2(building), building.walls.walls.size(), building.walls.length_m(),
       building.corridors.corridors.size(), building.corridors.length_m(), building.landmarks.size(),
-      building.barriers.size());
+      building.barriers.size(), building.zones.size());
+  for (const Zone& zone : building.zones) outcome.text += fmt::format("  {}\n", words_for(zone));
   if (!place_names.empty()) outcome.text += fmt::format("  places: {}\n", fmt::join(place_names, ", "));
   for (const Route& route : building.routes)
     outcome.text += fmt::format("  route '{}' of {:.1f} m\n", route.name, route.path.length_m());

@@ -20,8 +20,8 @@ constexpr bool is_diagonal(unsigned step) {
 
 }  // namespace
 
-void FloorDistances::measure(const KnownFloor& floor, const Vec2& from_m, double clearance_m,
-                             double leeway_m) {
+void FloorDistances::measure(const KnownFloor& floor, const Vec2& from_m, double clearance_m, double leeway_m,
+                             Paths paths) {
   const FloorGrid& grid = floor.grid();
   const FloorClearance& clearance = floor.clearance();
   box_ = clearance.room();
@@ -50,7 +50,10 @@ void FloorDistances::measure(const KnownFloor& floor, const Vec2& from_m, double
   clearance.for_cells(about, [&](FloorCell, std::size_t at) {
     if (tenths_[at] == kFar && !has_clearance(at)) tenths_[at] = kShut;
   });
-  settle(kFar, [this](Reached reached) { go_on(reached); });
+  if (floor.is_one_way_somewhere())
+    settle(kFar, [&](Reached reached) { go_where_allowed(floor, reached, paths); });
+  else
+    settle(kFar, [this](Reached reached) { go_on(reached); });
 }
 
 void FloorDistances::begin_at(std::size_t start) {
@@ -96,6 +99,19 @@ inline void FloorDistances::go_on(Reached reached) {
   const unsigned left = (ahead + beside) % kSteps.size(), right = (ahead + 8 - beside) % kSteps.size();
   if (is_shut(left)) go(reached.at, (left + 7) % kSteps.size());
   if (is_shut(right)) go(reached.at, (right + 1) % kSteps.size());
+}
+
+/// Goes on to all neighbours between which and here a vehicle may drive.
+void FloorDistances::go_where_allowed(const KnownFloor& floor, Reached reached, Paths paths) {
+  const auto columns = static_cast<std::size_t>(box_.end.x - box_.low.x);
+  const FloorCell here{box_.low.x + static_cast<int>(reached.at % columns),
+                       box_.low.y + static_cast<int>(reached.at / columns)};
+  const Vec2 p_map = floor.grid().centre(here);
+  for (unsigned step = 0; step < kSteps.size(); ++step) {
+    const double away_rad = std::atan2(kSteps[step].y, kSteps[step].x);
+    const double driven_rad = paths == Paths::kFromStart ? away_rad : away_rad + kPi;
+    if (floor.may_drive(p_map, driven_rad)) go(reached.at, step);
+  }
 }
 
 float FloorDistances::near(const FloorGrid& floor, const Vec2& p_map, double within_m) const {

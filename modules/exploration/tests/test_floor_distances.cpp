@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "aisle/core/random.hpp"
 #include "aisle/exploration/floor_distances.hpp"
@@ -71,6 +72,31 @@ TEST(FloorDistances, NothingIsReachedFromOutsideTheFloor) {
   FloorDistances distances;
   distances.measure(floor, {1000, 1000}, kClearance_m, 1);
   EXPECT_EQ(distances.to({0, 0}), FloorDistances::kUnreached);
+}
+
+/// Two corridors between the same ends, of which one is one-way.
+TEST(FloorDistances, GoTheOtherWayRoundWhereTheFloorIsOneWay) {
+  FloorGrid grid;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const bool is_block = x >= 8 && x < 16 && y >= 4 && y < 20;
+      grid.set({x, y}, is_block ? Floor::kOccupied : Floor::kFree);
+    }
+  }
+  KnownFloor floor(grid);
+  const auto at = [&](int x, int y) { return grid.centre(FloorCell{x, y}); };
+  FloorDistances free;
+  free.measure(floor, at(4, 2), 0.01, 0);
+  const std::vector<Zone> zones = {{.kind = Zone::Kind::kOneWay,
+                                    .outline = {at(8, -4), at(16, -4), at(16, 4), at(8, 4)},
+                                    .direction_rad = 0}};
+  floor.zone(zones);
+  FloorDistances along, against;
+  along.measure(floor, at(4, 2), 0.01, 0, FloorDistances::Paths::kFromStart);
+  against.measure(floor, at(4, 2), 0.01, 0, FloorDistances::Paths::kToStart);
+  EXPECT_EQ(along.to({20, 2}), free.to({20, 2}));
+  EXPECT_GT(against.to({20, 2}), free.to({20, 2}) + 1);
+  EXPECT_EQ(against.to({4, 20}), free.to({4, 20})) << "off the zone";
 }
 
 }  // namespace

@@ -8,7 +8,6 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kNameBytesMax = 200;  // as in building files
-constexpr double kRouteCheckEvery_m = 0.05;
 
 }  // namespace
 
@@ -32,21 +31,6 @@ Result<Route> find_route(const Building& building, const std::string& name) {
   }
   return Problem{{"", 0, "route"},
                  fmt::format("'{}' is unknown; the building has: {}", name, names_of(building.routes))};
-}
-
-Problems check_barriers(const Building& building, const std::string& route, const Path& path,
-                        const Footprint& footprint) {
-  if (building.barriers.empty()) return {};
-  const auto steps = static_cast<int>(path.length_m() / kRouteCheckEvery_m);
-  for (int i = 0; i <= steps; ++i) {
-    const Pose2 T_map_vehicle = path.at(i * kRouteCheckEvery_m).T_map_path;
-    const Barrier* met = barrier_met(building.barriers, footprint, T_map_vehicle);
-    if (met == nullptr) continue;
-    return {{{"", 0, "route"},
-             fmt::format("'{}' meets a barrier of the building ({}) near {:.1f}, {:.1f}", route,
-                         words_for(met->kind), T_map_vehicle.x, T_map_vehicle.y)}};
-  }
-  return {};
 }
 
 }  // namespace aisle

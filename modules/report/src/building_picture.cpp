@@ -1,5 +1,7 @@
 #include "aisle/report/building_picture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -26,14 +28,18 @@ constexpr Pen kDrivenPathPen{kPath, 1.25};
 constexpr Pen kLearnedWallPen{kInk, 2};
 constexpr Pen kTaughtRoutePen{kTaughtRoute, 5};
 constexpr Pen kDrawnLinePen{kDrawnLine, 4};
+constexpr Pen kZonePen{kDrawnLine, 2};
 constexpr Font kRouteFont{15, kPath, true};
 constexpr Font kNodeFont{15, kGraphLine, true};
 constexpr Font kPlaceFont{15, kNamedPlace, true};
+constexpr Font kZoneFont{13, kDrawnLine, false};
 
 constexpr double kNode_px = 6;
 constexpr double kPlace_px = 5;
 constexpr double kLandmark_px = 3;
 constexpr double kFaintest = 0.25;
+constexpr double kArrow_px = 16;
+constexpr double kArrowHead_rad = 150 * kDegree;
 constexpr double kTrailTolerance_px = 0.3;
 
 PictureContent content_of(const BuildingPicture& picture) {
@@ -80,6 +86,7 @@ class BuildingDrawing {
     draw_corridors(canvas);
     draw_landmarks(canvas);
     draw_barriers(canvas);
+    draw_zones(canvas);
     draw_names(canvas);
     draw_header(canvas, scale_, picture_.title, picture_.caption);
     draw_scale_bar(canvas, scale_);
@@ -136,6 +143,40 @@ class BuildingDrawing {
                   kDrawnLinePen);
   }
 
+  void draw_zones(Canvas& canvas) const {
+    for (const Zone& zone : building_.zones) {
+      const bool is_keep_out = zone.kind == Zone::Kind::kKeepOut;
+      draw_closed(canvas, zone.outline, is_keep_out ? kDrawnLinePen : kZonePen);
+      Vec2 p_map = Vec2::Zero();
+      for (const Vec2& corner : zone.outline) p_map += corner / static_cast<double>(zone.outline.size());
+      const Vec2 centre = scale_.to_paper(p_map);
+      if (zone.kind == Zone::Kind::kOneWay) draw_arrow(canvas, centre, zone.direction_rad);
+      std::string words = words_for(zone);
+      if (zone.kind == Zone::Kind::kSlow) words += fmt::format(", {:.2f} m/s", zone.speed_max_mps);
+      canvas.text(centre + Vec2(8, -8), words, kZoneFont);
+    }
+  }
+
+  void draw_closed(Canvas& canvas, const std::vector<Vec2>& outline, const Pen& pen) const {
+    std::vector<Vec2> points;
+    points.reserve(outline.size() + 1);
+    for (const Vec2& p : outline) points.push_back(scale_.to_paper(p));
+    points.push_back(points.front());
+    canvas.polyline(points, pen);
+  }
+
+  /// On paper, y runs down.
+  static void draw_arrow(Canvas& canvas, const Vec2& centre, double direction_rad) {
+    const auto away = [&](double length_px, double turn_rad) {
+      const double angle_rad = direction_rad + turn_rad;
+      return Vec2(length_px * std::cos(angle_rad), -length_px * std::sin(angle_rad));
+    };
+    const Vec2 tip = centre + away(kArrow_px, 0);
+    canvas.line(centre - away(kArrow_px, 0), tip, kZonePen);
+    for (const double turn_rad : {kArrowHead_rad, -kArrowHead_rad})
+      canvas.line(tip, tip + away(kArrow_px / 2, turn_rad), kZonePen);
+  }
+
   void draw_path(Canvas& canvas) const {
     std::vector<Vec2> points;
     for (const Pose2& T : picture_.path) points.push_back(scale_.to_paper(T.position()));
@@ -179,6 +220,7 @@ class BuildingDrawing {
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
     if (!picture_.path.empty()) legend.add_line("path driven", kDrivenPathPen);
+    if (!building_.zones.empty()) legend.add_line("zone", kZonePen);
     if (!building_.barriers.empty()) legend.add_line("keep-out line or glass", kDrawnLinePen);
     if (!building_.landmarks.empty())
       legend.add("landmark", 2 * kLandmark_px,

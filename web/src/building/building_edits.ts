@@ -1,9 +1,9 @@
 /** Edits of a building: each returns a new building and leaves the old one unchanged. */
 
-import { distance, distance_to_segment } from "../plan/geometry";
+import { distance, distance_to_segment, rectangle } from "../plan/geometry";
 import type { Point } from "../plan/geometry";
-import { point_of } from "../plan/building_geometry";
-import type { Barrier, Building, Pair } from "./building_file";
+import { point_of, zone_edges, zone_outline } from "../plan/building_geometry";
+import type { Barrier, Building, Pair, Zone } from "./building_file";
 import { with_line } from "./floor_cells";
 
 function pair({ x, y }: Point): Pair {
@@ -26,7 +26,7 @@ export function without_place(building: Building, name: string): Building {
 
 /** The part of the building nearest to a point, by its index in its list. */
 export interface FoundPart {
-  list: "walls" | "landmarks" | "barriers";
+  list: "walls" | "landmarks" | "barriers" | "zones";
   index: number;
   distance_m: number;
 }
@@ -39,7 +39,11 @@ export function nearest_part(building: Building, at: Point, within_m: number): F
   const landmarks = (building.landmarks ?? []).map(({ at_m }, index): FoundPart => {
     return { list: "landmarks", index, distance_m: distance(at, point_of(at_m)) };
   });
-  const near = [...landmarks, ...lines("barriers"), ...lines("walls")].filter(
+  const zones = (building.zones ?? []).map((zone, index): FoundPart => {
+    const edges = zone_edges(zone).map(([from, to]) => distance_to_segment(at, from, to));
+    return { list: "zones", index, distance_m: Math.min(...edges) };
+  });
+  const near = [...landmarks, ...lines("barriers"), ...zones, ...lines("walls")].filter(
     ({ distance_m }) => distance_m <= within_m,
   );
   return near.reduce<FoundPart | undefined>(
@@ -48,10 +52,11 @@ export function nearest_part(building: Building, at: Point, within_m: number): F
   );
 }
 
-/** The end points of a wall or line, or where a landmark is. */
+/** The end points of a wall or line, where a landmark is, or a zone's closed outline. */
 export function part_points(building: Building, { list, index }: FoundPart): Point[] {
   const part = building[list]?.[index];
   if (!part) return [];
+  if ("outline_m" in part) return zone_outline(part);
   return "at_m" in part ? [point_of(part.at_m)] : [point_of(part.start_m), point_of(part.end_m)];
 }
 
@@ -63,6 +68,28 @@ export function without_part(building: Building, { list, index }: FoundPart): Bu
 export function with_barrier(building: Building, kind: Barrier["kind"], from: Point, to: Point): Building {
   const barrier = { kind, start_m: pair(from), end_m: pair(to) };
   return { ...building, barriers: [...(building.barriers ?? []), barrier] };
+}
+
+/**
+ * Adds a rectangular zone that was drawn from one corner to the opposite one. A one-way zone is driven along its longer
+ * side, the way it was drawn. @throws Error where it has no area
+ */
+export function with_zone(
+  building: Building,
+  kind: Zone["kind"],
+  from: Point,
+  to: Point,
+  speed_max_mps: number,
+): Building {
+  const [width_m, height_m] = [to.x - from.x, to.y - from.y];
+  if (Math.min(Math.abs(width_m), Math.abs(height_m)) < 0.05) throw new Error("a zone is at least 5 cm wide");
+  const zone: Zone = { kind, outline_m: rectangle(from, to).slice(0, 4).map(pair) };
+  if (kind === "slow") zone.speed_max_mps = speed_max_mps;
+  if (kind === "one_way") {
+    if (Math.abs(width_m) > Math.abs(height_m)) zone.direction_deg = width_m > 0 ? 0 : 180;
+    else zone.direction_deg = height_m > 0 ? 90 : -90;
+  }
+  return { ...building, zones: [...(building.zones ?? []), zone] };
 }
 
 /** Marks occupied floor along a line as free, where an obstacle is false. @throws Error without a floor */

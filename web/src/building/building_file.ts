@@ -14,6 +14,15 @@ export interface Barrier {
   end_m: Pair;
 }
 
+/** An area in which vehicles stay out, drive slowly, or drive one way only. */
+export interface Zone {
+  kind: "keep_out" | "slow" | "one_way";
+  name?: string;
+  outline_m: Pair[];
+  speed_max_mps?: number;
+  direction_deg?: number;
+}
+
 export interface Landmark {
   at_m: Pair;
 }
@@ -66,6 +75,7 @@ export interface Building {
   corridors?: { nodes: CorridorNode[]; corridors: Corridor[] };
   places?: Place[];
   barriers?: Barrier[];
+  zones?: Zone[];
   floor?: Floor;
 }
 

@@ -40,6 +40,7 @@ export function building_tab(app: App): Tab {
     building: () => history?.present,
     edit: (change) => edit(change),
     marked: (part) => set_text(hint, part ? words.again(words.parts[part.list]) : tool_hint),
+    zone_speed_mps: () => Number(zone_speed.value),
     pick_place: () => {
       naming.hidden = false;
       name.focus();
@@ -67,6 +68,16 @@ export function building_tab(app: App): Tab {
   });
   const heading = element("input", { type: "number", min: -360, max: 360, step: 5, value: 0, class: "size" });
   heading.setAttribute("aria-label", words.heading);
+  const zone_speed = element("input", {
+    type: "number",
+    min: 0.01,
+    max: 20,
+    step: 0.05,
+    value: 0.2,
+    class: "size",
+    "aria-label": words.zone_speed,
+  });
+  const slow = element("label", { class: "tick", hidden: true }, zone_speed, element("span", {}, "m/s"));
   const put_place = () => {
     const at = tools.place;
     if (!at || !edit((building) => with_place(building, name.value.trim(), at, Number(heading.value))))
@@ -99,6 +110,7 @@ export function building_tab(app: App): Tab {
   );
   const tool_list = select(words.tool, tool_labels, (tool) => {
     naming.hidden = true;
+    slow.hidden = tool !== "slow_zone";
     tools.choose(tool as ToolName);
     tool_hint = tool_labels.find(({ value }) => value === tool)?.hint ?? "";
     set_text(hint, tool_hint);
@@ -186,6 +198,7 @@ export function building_tab(app: App): Tab {
       tool_list.field,
       hint,
       naming,
+      slow,
       element("div", { class: "buttons" }, undo, redo, save),
       element("h3", {}, words.places),
       places,

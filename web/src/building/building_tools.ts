@@ -1,13 +1,23 @@
 import { colour } from "../page/theme";
 import { text } from "../text";
 import { draw_dots, draw_line } from "../plan/draw";
+import { rectangle } from "../plan/geometry";
 import type { Point } from "../plan/geometry";
 import type { Layer, PlanCanvas, PlanTool } from "../plan/plan_canvas";
-import { nearest_part, part_points, with_barrier, with_cleared, without_part } from "./building_edits";
+import {
+  nearest_part,
+  part_points,
+  with_barrier,
+  with_cleared,
+  with_zone,
+  without_part,
+} from "./building_edits";
 import type { FoundPart } from "./building_edits";
-import type { Building } from "./building_file";
+import type { Building, Zone } from "./building_file";
 
-export type ToolName = "look" | "place" | "delete" | "keep_out" | "glass" | "clear";
+export type ToolName = "look" | "place" | "delete" | LineToolName;
+
+type LineToolName = "keep_out" | "glass" | "keep_out_zone" | "slow_zone" | "one_way_zone" | "clear";
 
 export const tool_labels = Object.entries(text.building.tools).map(([value, words]) => ({ value, ...words }));
 
@@ -20,13 +30,23 @@ interface Editing {
   /** Applies the change as a new version; an error that it throws is shown as a notice. */
   edit(change: (building: Building) => Building): void;
   pick_place(at: Point): void;
+  /** Of the next slow zone. */
+  zone_speed_mps(): number;
 }
 
-type LineEdit = (building: Building, from: Point, to: Point) => Building;
+type LineEdit = (building: Building, from: Point, to: Point, zone_speed_mps: number) => Building;
 
-const line_edits: Record<"keep_out" | "glass" | "clear", LineEdit> = {
+const zone_edit =
+  (kind: Zone["kind"]): LineEdit =>
+  (building, from, to, speed_mps) =>
+    with_zone(building, kind, from, to, speed_mps);
+
+const line_edits: Record<LineToolName, LineEdit> = {
   keep_out: (building, from, to) => with_barrier(building, "keep_out", from, to),
   glass: (building, from, to) => with_barrier(building, "glass", from, to),
+  keep_out_zone: zone_edit("keep_out"),
+  slow_zone: zone_edit("slow"),
+  one_way_zone: zone_edit("one_way"),
   clear: with_cleared,
 };
 
@@ -36,6 +56,8 @@ export class BuildingTools {
   /** Position of the place that is about to be named. */
   place: Point | undefined;
   #line: [Point, Point] | undefined;
+  /** The line is a zone's diagonal. */
+  #is_area = false;
   /** What is about to be deleted. */
   #marked: FoundPart | undefined;
 
@@ -44,7 +66,10 @@ export class BuildingTools {
     private readonly editing: Editing,
   ) {
     this.layer = (context, view) => {
-      if (this.#line) draw_line(context, view, this.#line, { colour: colour("trouble"), width_px: 3 });
+      if (this.#line) {
+        const drawn = this.#is_area ? rectangle(...this.#line) : this.#line;
+        draw_line(context, view, drawn, { colour: colour("trouble"), width_px: 3 });
+      }
       const building = this.#marked && this.editing.building();
       const points = building && this.#marked ? part_points(building, this.#marked) : [];
       draw_line(context, view, points, { colour: colour("trouble"), width_px: 7 });
@@ -78,10 +103,11 @@ export class BuildingTools {
         hover: (at) => this.#mark(at && this.#found(at)),
       };
     const edit = line_edits[name];
+    this.#is_area = name.endsWith("zone");
     return {
       drag: (from, to, ended) => {
         this.#line = ended ? undefined : [from, to];
-        if (ended) this.editing.edit((building) => edit(building, from, to));
+        if (ended) this.editing.edit((building) => edit(building, from, to, this.editing.zone_speed_mps()));
         this.canvas.redraw();
       },
       cancel: () => {

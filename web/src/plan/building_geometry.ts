@@ -1,6 +1,6 @@
 /** The parts of a building as points of the plan. */
 
-import type { Building, Floor, Pair, Route } from "../building/building_file";
+import type { Building, Floor, Pair, Route, Zone } from "../building/building_file";
 import { moved_by } from "./geometry";
 import type { Point, Pose } from "./geometry";
 
@@ -27,6 +27,32 @@ export function route_points({ start, pieces = [] }: Route): Point[] {
     }
   }
   return points;
+}
+
+/** A zone's corners, and the first one again. */
+export function zone_outline({ outline_m }: Zone): Point[] {
+  return [...outline_m, ...outline_m.slice(0, 1)].map(point_of);
+}
+
+export function zone_edges(zone: Zone): [Point, Point][] {
+  const outline = zone_outline(zone);
+  return outline.slice(1).map((to, index) => [outline[index] as Point, to]);
+}
+
+const arrow_m = 0.5;
+
+/** An arrow in the middle of a one-way zone. */
+export function zone_arrow({ outline_m, direction_deg = 0 }: Zone): Point[] {
+  const middle = (axis: 0 | 1) => outline_m.reduce((sum, corner) => sum + corner[axis], 0) / outline_m.length;
+  const pose: Pose = { x: middle(0), y: middle(1), heading_rad: (direction_deg * Math.PI) / 180 };
+  const head: Pair[] = [
+    [-arrow_m, 0],
+    [arrow_m, 0],
+    [arrow_m / 2, arrow_m / 4],
+    [arrow_m / 2, -arrow_m / 4],
+    [arrow_m, 0],
+  ];
+  return head.map((point) => moved_by(pose, point_of(point)));
 }
 
 export interface FloorRun {
@@ -66,6 +92,7 @@ export function* floor_points(floor: Floor): Iterable<Point> {
 export function* building_points(building: Building): Iterable<Point> {
   for (const { start_m, end_m } of [...(building.walls ?? []), ...(building.barriers ?? [])])
     yield* [point_of(start_m), point_of(end_m)];
+  for (const { outline_m } of building.zones ?? []) yield* outline_m.map(point_of);
   for (const { at_m } of building.landmarks ?? []) yield point_of(at_m);
   for (const { at_m } of building.places ?? []) yield point_of(at_m);
   for (const { at_m } of building.corridors?.nodes ?? []) yield point_of(at_m);

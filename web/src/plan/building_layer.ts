@@ -1,7 +1,7 @@
 import type { Building, Floor } from "../building/building_file";
 import { colour } from "../page/theme";
-import { floor_runs, point_of, route_points } from "./building_geometry";
-import { barrier_stroke, draw_dots, draw_line, draw_name, draw_segments } from "./draw";
+import { floor_runs, point_of, route_points, zone_arrow, zone_outline } from "./building_geometry";
+import { barrier_stroke, zone_stroke, draw_dots, draw_line, draw_name, draw_segments } from "./draw";
 import type { Point } from "./geometry";
 import type { Layer } from "./plan_canvas";
 
@@ -63,6 +63,10 @@ export function building_layer(building: Building): Layer {
     );
     for (const { kind, start_m, end_m } of building.barriers ?? []) {
       draw_line(context, view, [point_of(start_m), point_of(end_m)], barrier_stroke(kind));
+    }
+    for (const zone of building.zones ?? []) {
+      draw_line(context, view, zone_outline(zone), zone_stroke(zone.kind));
+      if (zone.kind === "one_way") draw_line(context, view, zone_arrow(zone), zone_stroke(zone.kind));
     }
     for (const { name, at_m } of building.places ?? []) {
       draw_dots(context, view, [point_of(at_m)], colour("accent"), 4);

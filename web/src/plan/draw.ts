@@ -21,6 +21,12 @@ export function barrier_stroke(kind: string): Stroke {
     : { colour: colour("trouble"), width_px: 3, dash_px: [8, 6] };
 }
 
+/** The stroke of a zone's outline; `kind` as in a building file. */
+export function zone_stroke(kind: string): Stroke {
+  if (kind === "keep_out") return barrier_stroke(kind);
+  return { colour: colour("busy"), width_px: 2, dash_px: kind === "slow" ? [2, 4] : [] };
+}
+
 function apply(context: Context, stroke: Stroke): void {
   context.strokeStyle = stroke.colour;
   context.lineWidth = stroke.width_px;

@@ -28,6 +28,11 @@ export function distance(a: Point, b: Point): number {
 }
 
 /** Distance from `p` to the segment from `a` to `b`. */
+/** The closed outline of the rectangle with these opposite corners. */
+export function rectangle(from: Point, to: Point): Point[] {
+  return [from, { x: to.x, y: from.y }, to, { x: from.x, y: to.y }, from];
+}
+
 export function distance_to_segment(p: Point, a: Point, b: Point): number {
   const length2 = (b.x - a.x) ** 2 + (b.y - a.y) ** 2;
   const share = length2 === 0 ? 0 : ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length2;

@@ -11,6 +11,7 @@ import {
   draw_name,
   draw_segments,
   draw_vehicle,
+  zone_stroke,
 } from "./draw";
 import type { Stroke } from "./draw";
 import type { Point } from "./geometry";
@@ -28,6 +29,7 @@ function pairs(points: Point[]): [Point, Point][] {
 function stroke_of(namespace: string): Stroke {
   if (namespace === "walls") return { colour: colour("wall"), width_px: 2.5 };
   if (namespace === "keep_out" || namespace === "glass") return barrier_stroke(namespace);
+  if (namespace === "slow" || namespace === "one_way") return zone_stroke(namespace);
   if (namespace === "graph") return { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
   return { colour: colour("muted"), width_px: 1.5 };
 }

@@ -86,6 +86,32 @@ test("Two fingers move the plan and draw nothing", async () => {
   await phone.context().close();
 });
 
+test("A slow zone is drawn with its speed, and a one-way zone the way it was dragged", async () => {
+  const middle = await open_editor(page);
+  const tool = page.getByLabel("Tool");
+  await tool.selectOption("slow_zone");
+  await page.getByLabel("Speed in the zone").fill("0.15");
+  await drag({ x: middle.x - 60, y: middle.y - 30 }, { x: middle.x - 10, y: middle.y + 30 });
+  await page.getByText("1 zone").waitFor();
+  await tool.selectOption("one_way_zone");
+  assert.equal(await page.getByLabel("Speed in the zone").isVisible(), false);
+  await drag({ x: middle.x + 60, y: middle.y - 20 }, { x: middle.x + 10, y: middle.y + 10 });
+  await page.getByText("2 zones").waitFor();
+  await page.getByRole("button", { name: "Save as a new version" }).click();
+  await page.getByText("Saved as attic-2").waitFor();
+  assert.deepEqual(
+    vehicle.posts[0].body.zones.map(({ kind, speed_max_mps, direction_deg }) => [
+      kind,
+      speed_max_mps,
+      direction_deg,
+    ]),
+    [
+      ["slow", 0.15, undefined],
+      ["one_way", undefined, 180],
+    ],
+  );
+});
+
 test("Under a finger, what will be deleted is shown first", async () => {
   const phone = await open_touch(given, 768, 1024);
   const middle = await open_editor(phone);

@@ -3,9 +3,11 @@ import { test } from "node:test";
 
 import {
   nearest_part,
+  part_points,
   with_barrier,
   with_cleared,
   with_place,
+  with_zone,
   without_part,
   without_place,
 } from "../../src/building/building_edits";
@@ -71,6 +73,31 @@ test("Keep-out lines and glass are stored apart from walls, to the millimetre", 
   ]);
   assert.deepEqual(both.walls, building.walls);
   assert.equal(building.barriers, undefined);
+});
+
+test("Zones are rectangles; one-way ones lead the way they were drawn", () => {
+  const at = (x: number, y: number) => ({ x, y });
+  const slow = with_zone(building, "slow", at(0, 0), at(2, 1), 0.3).zones?.[0];
+  assert.deepEqual(slow, {
+    kind: "slow",
+    outline_m: [
+      [0, 0],
+      [2, 0],
+      [2, 1],
+      [0, 1],
+    ],
+    speed_max_mps: 0.3,
+  });
+  const direction = (to: { x: number; y: number }) =>
+    with_zone(building, "one_way", at(0, 0), to, 0.3).zones?.[0]?.direction_deg;
+  assert.deepEqual([at(3, 1), at(-3, 1), at(1, 3), at(1, -3)].map(direction), [0, 180, 90, -90]);
+  assert.throws(() => with_zone(building, "keep_out", at(0, 0), at(2, 0.01), 0.3), /at least 5 cm/);
+  const drawn = with_zone(building, "keep_out", at(0, 5), at(2, 7), 0.3);
+  const edge = nearest_part(drawn, at(2.1, 6), 0.3);
+  assert.ok(edge);
+  assert.equal(edge.list, "zones");
+  assert.equal(part_points(drawn, edge).length, 5);
+  assert.deepEqual(without_part(drawn, edge).zones, []);
 });
 
 test("Clearing frees occupied cells and leaves unknown cells unknown", () => {

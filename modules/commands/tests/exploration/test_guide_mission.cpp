@@ -144,7 +144,8 @@ TEST(GuideMission, GivesUpBeforeAKeepOutLineThatOnlyTheMapShows) {
   building.barriers = {{.segment = {{12, 5}, {14, 5}}}};
   const Driven driven = drive("go lift", l_building(), building);
   EXPECT_FALSE(driven.result.end.arrived);
-  EXPECT_THAT(driven.result.end.why, HasSubstr("no path to 13.0, 8.0 that crosses neither keep-out lines"));
+  EXPECT_THAT(driven.result.end.why,
+              HasSubstr("no path to 13.0, 8.0 that obeys the building's keep-out lines"));
   EXPECT_FALSE(ever_met(building.barriers[0], driven));
 }
 
@@ -156,6 +157,53 @@ TEST(GuideMission, GoesTheOtherWayRoundRatherThanThroughGlass) {
   EXPECT_EQ(driven.result.collisions(), 0U);
   EXPECT_GT(driven.result.distance_m(), 20) << "round the block";
   EXPECT_FALSE(ever_met(building.barriers[0], driven));
+}
+
+Zone zone_over(Zone::Kind kind, const Vec2& low, const Vec2& high) {
+  return {.kind = kind, .outline = {low, {high.x(), low.y()}, high, {low.x(), high.y()}}};
+}
+
+/// In a ring, the vehicle stands at its lower left corner; its goal is along the lower corridor.
+Driven drive_in_ring(const Zone& zone) {
+  Building building = learned(ring_building(), is_floor_of_ring);
+  building.zones = {zone};
+  return drive("go 6,1", ring_building(), building);
+}
+
+constexpr double kRoundTheBlock_m = 20;
+
+TEST(GuideMission, GoesTheOtherWayRoundRatherThanThroughAKeepOutZone) {
+  const Zone zone = zone_over(Zone::Kind::kKeepOut, {3.5, -0.5}, {4, 2.5});
+  const Driven driven = drive_in_ring(zone);
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_GT(driven.result.distance_m(), kRoundTheBlock_m);
+  for (const Barrier& edge : outlines({&zone, 1})) EXPECT_FALSE(ever_met(edge, driven));
+}
+
+TEST(GuideMission, GoesTheOtherWayRoundRatherThanAgainstAOneWayZone) {
+  Zone zone = zone_over(Zone::Kind::kOneWay, {3, -0.5}, {5, 2.5});
+  EXPECT_LT(drive_in_ring(zone).result.distance_m(), kRoundTheBlock_m) << "its direction is that of the path";
+  zone.direction_rad = kPi;
+  const Driven driven = drive_in_ring(zone);
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_GT(driven.result.distance_m(), kRoundTheBlock_m);
+}
+
+TEST(GuideMission, IsSlowInASlowZoneOnly) {
+  Zone zone = zone_over(Zone::Kind::kSlow, {3, -0.5}, {5, 2.5});
+  zone.speed_max_mps = 0.1;
+  const Driven driven = drive_in_ring(zone);
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  const auto& T = driven.result.T_world_vehicle;
+  double fastest_inside_m = 0, fastest_outside_m = 0;
+  const Footprint footprint = cart_with_scanner().description.footprint;
+  for (std::size_t i = 1; i < T.size(); ++i) {
+    double& fastest_m = overlaps(zone, footprint, T[i - 1]) ? fastest_inside_m : fastest_outside_m;
+    fastest_m = std::max(fastest_m, (T[i].position() - T[i - 1].position()).norm());
+  }
+  const double cycle_s = cart_with_scanner().description.cycle_s;
+  EXPECT_LT(fastest_inside_m, 0.13 * cycle_s) << "for the pose is known to some centimetres only";
+  EXPECT_GT(fastest_outside_m, 0.25 * cycle_s);
 }
 
 TEST(GuideGoal, PlacesAreNamesNodesAndPoints) {

@@ -32,6 +32,7 @@ JsonFields building_fields(Building& building) {
           corridors_part("corridors", building.corridors),
           unless_empty(places_part("places", building.places)),
           unless_empty(barriers_part("barriers", building.barriers)),
+          unless_empty(zones_part("zones", building.zones)),
           floor_part("floor", building.floor)};
 }
 

@@ -36,6 +36,9 @@ JsonPart places_part(std::string_view key, std::vector<MapPlace>& places);
 
 JsonPart barriers_part(std::string_view key, std::vector<Barrier>& barriers);
 
+/// Outlines without area, slow zones without a speed and one-way zones without a direction are problems.
+JsonPart zones_part(std::string_view key, std::vector<Zone>& zones);
+
 /// Rows of cells from the bottom up, each as runs of equal cells.
 JsonPart floor_part(std::string_view key, std::optional<FloorGrid>& floor);
 

@@ -21,6 +21,8 @@ constexpr ros::ColorRGBA kGraphColour{0.1F, 0.5F, 0.8F, 1};
 constexpr ros::ColorRGBA kRouteColour{0.2F, 0.6F, 0.2F, 1};
 constexpr ros::ColorRGBA kKeepOutColour{0.8F, 0.2F, 0.2F, 1};
 constexpr ros::ColorRGBA kGlassColour{0.2F, 0.7F, 0.85F, 1};
+constexpr ros::ColorRGBA kZoneColour{0.9F, 0.55F, 0.0F, 1};
+constexpr double kZoneArrow_m = 0.5;
 
 ros::Vector3 point(const Vec2& p) {
   return {.x = p.x(), .y = p.y()};
@@ -55,7 +57,7 @@ std::vector<double> plan_marks_m(const Path& path) {
 }
 
 ros::Marker barriers_of(const Building& building, Barrier::Kind kind, ros::Marker lines) {
-  for (const Barrier& barrier : building.barriers) {
+  for (const Barrier& barrier : lines_not_crossed(building)) {
     if (barrier.kind != kind) continue;
     lines.points.push_back(point(barrier.segment.start));
     lines.points.push_back(point(barrier.segment.end));
@@ -101,6 +103,26 @@ void add_places(ros::MarkerArray& array, const Building& building, ros::Stamp_ns
     text.pose = pose_on_floor(place.T_map_place);
     text.text = place.name;
     array.markers.push_back(std::move(text));
+  }
+}
+
+/// Slow zones by their outline; one-way zones with an arrow in their middle, too.
+void add_zones(ros::MarkerArray& array, const Building& building, ros::Stamp_ns stamp) {
+  for (const Zone& zone : building.zones) {
+    if (zone.kind == Zone::Kind::kKeepOut) continue;  // its outline is a line that is not crossed
+    const ros::Marker line = marker(stamp, zone.kind == Zone::Kind::kSlow ? "slow" : "one_way",
+                                    ros::Marker::kLineStrip, 0.04, kZoneColour);
+    std::vector<Vec2> outline = zone.outline;
+    outline.push_back(outline.front());
+    add_line(array, line, outline);
+    if (zone.kind == Zone::Kind::kSlow) continue;
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& corner : zone.outline) middle += corner / static_cast<double>(zone.outline.size());
+    const Pose2 T_map_arrow{middle.x(), middle.y(), zone.direction_rad};
+    add_line(array, line,
+             {T_map_arrow * Vec2(-kZoneArrow_m, 0), T_map_arrow * Vec2(kZoneArrow_m, 0),
+              T_map_arrow * Vec2(kZoneArrow_m / 2, kZoneArrow_m / 4),
+              T_map_arrow * Vec2(kZoneArrow_m / 2, -kZoneArrow_m / 4), T_map_arrow * Vec2(kZoneArrow_m, 0)});
   }
 }
 
@@ -158,6 +180,7 @@ std::string map_cdr(ros::Stamp_ns stamp, const Building& building) {
                   marker(stamp, "keep_out", ros::Marker::kLineList, 0.06, kKeepOutColour)));
   array.markers.push_back(barriers_of(building, Barrier::Kind::kGlass,
                                       marker(stamp, "glass", ros::Marker::kLineList, 0.06, kGlassColour)));
+  add_zones(array, building, stamp);
   return cdr_bytes(array);
 }
 

@@ -67,6 +67,12 @@ Building whole_building() {
   building.corridors.corridors.push_back({0, 1, {{0, 0}, {3, 4}}, 2.05});
   building.places.push_back({"lift", {4, 6, 179.99999 * kDegree}});
   building.barriers.push_back({Barrier::Kind::kGlass, {{4.8, 2}, {4.8, 3.525}}});
+  building.zones.push_back({.kind = Zone::Kind::kSlow,
+                            .name = "door",
+                            .outline = {{1, 0}, {2, 0}, {2, 1}},
+                            .speed_max_mps = 0.25});
+  building.zones.push_back(
+      {.kind = Zone::Kind::kOneWay, .outline = {{3, 0}, {4, 0}, {4, 1}}, .direction_rad = kPi / 2});
   building.floor.emplace(0.05).set(FloorCell{-2, 7}, Floor::kOccupied);
   return building;
 }

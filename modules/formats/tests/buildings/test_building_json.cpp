@@ -174,5 +174,44 @@ TEST(BuildingJson, BadValuesNameTheirKeyPathAllAtOnce) {
   EXPECT_THAT(building_problems(building_with(R"("walls": {"0": 1})")), HasSubstr("walls: is not a list"));
 }
 
+TEST(BuildingJson, ZonesAreReadAsTheyWereWritten) {
+  const std::string text = building_with(
+      R"("zones": [
+{"kind": "keep_out", "outline_m": [[0, 0], [2, 0], [2, 1.5]], "name": "lab"},
+{"kind": "slow", "outline_m": [[4, 0], [6, 0], [6, 2]], "speed_max_mps": 0.25},
+{"kind": "one_way", "outline_m": [[7, 0], [9, 0], [9, 2], [7, 2]], "direction_deg": 90}
+])");
+  const auto building = parse_building(text, "b.json");
+  ASSERT_TRUE(building.ok()) << to_string(building.problems());
+  ASSERT_THAT(building->zones, SizeIs(3));
+  EXPECT_EQ(building->zones[0].name, "lab");
+  EXPECT_EQ(building->zones[1].speed_max_mps, 0.25);
+  EXPECT_DOUBLE_EQ(building->zones[2].direction_rad, kPi / 2);
+  const std::string written = building_json(*building);
+  EXPECT_EQ(building_json(*parse_building(written, "b.json")), written);
+  EXPECT_THAT(
+      written,
+      HasSubstr(
+          R"({"kind": "one_way", "outline_m": [[7, 0], [9, 0], [9, 2], [7, 2]], "direction_deg": 90})"));
+}
+
+TEST(BuildingJson, ZonesWithoutSenseAreRefused) {
+  const auto refused = [](const std::string& zone) {
+    return building_problems(building_with("\"zones\": [{" + zone + "}]"));
+  };
+  EXPECT_THAT(refused(R"("kind": "slow", "outline_m": [[0, 0], [2, 0], [2, 2]])"),
+              HasSubstr("zones[0].speed_max_mps: is missing"));
+  EXPECT_THAT(refused(R"("kind": "one_way", "outline_m": [[0, 0], [2, 0], [2, 2]])"),
+              HasSubstr("zones[0].direction_deg: is missing"));
+  EXPECT_THAT(refused(R"("kind": "keep_out", "outline_m": [[0, 0], [2, 0], [2, 2]], "speed_max_mps": 1)"),
+              HasSubstr("zones[0].speed_max_mps: means nothing in a zone of this kind"));
+  EXPECT_THAT(refused(R"("kind": "keep_out", "outline_m": [[0, 0], [2, 0]])"),
+              HasSubstr("zones[0].outline_m: must have 3 to 1000 corners"));
+  EXPECT_THAT(refused(R"("kind": "keep_out", "outline_m": [[0, 0], [2, 0], [4, 0]])"),
+              HasSubstr("zones[0].outline_m: encloses no area"));
+  EXPECT_THAT(refused(R"("kind": "moat", "outline_m": [[0, 0], [2, 0], [2, 2]])"),
+              HasSubstr("zones[0].kind: is none of \"keep_out\", \"slow\" and \"one_way\""));
+}
+
 }  // namespace
 }  // namespace aisle

@@ -25,8 +25,10 @@ UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams&
 KnownFloor floor_of(const Building& building, const LegParams& legs) {
   if (!building.floor) throw std::invalid_argument("a building to be guided in needs its floor");
   FloorClearance clearance(legs);
-  clearance.bar(building.barriers, building.floor->cell_m());
-  return KnownFloor(*building.floor, std::move(clearance));
+  clearance.bar(lines_not_crossed(building), building.floor->cell_m());
+  KnownFloor floor(*building.floor, std::move(clearance));
+  floor.zone(building.zones);
+  return floor;
 }
 
 }  // namespace
@@ -60,10 +62,17 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
       floor_(floor_of(building, params.legs)),
       search_(params.search, vehicle),
       driver_(vehicle, params.steering, params.speed),
+      rules_(building, vehicle),
       p_map_places_(std::move(p_map_places)),
       T_map_vehicle_(T_map_start) {}
 
 Decision GuideNavigator::step(const Observation& observation) {
+  Decision decision = decide(observation);
+  decision.command = rules_.slowed(decision.command, T_map_vehicle_);
+  return decision;
+}
+
+Decision GuideNavigator::decide(const Observation& observation) {
   const double stamp_s = observation.stamp_s;
   if (!begun_s_) begun_s_ = localised_s_ = progress_s_ = stamp_s;
   locate(observation);
@@ -121,11 +130,13 @@ void GuideNavigator::look_at_floor(double stamp_s) {
 
 std::string GuideNavigator::why_failed(const Observation& observation) {
   if (observation.bumper_pressed) return "the bumper is pressed";
+  if (const Zone* zone = rules_.keep_out_around(T_map_vehicle_.position()))
+    return fmt::format("is in the {}", words_for(*zone));
   if (is_lost(observation.stamp_s)) return "lost: what it sees fits no walls that it knows";
   if (next_ == p_map_places_.size() || observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
   const Vec2& p = p_map_places_[next_];
   return fmt::format("there is no path to {:.1f}, {:.1f}{}", p.x(), p.y(),
-                     !building_.barriers.empty() ? " that crosses neither keep-out lines nor glass" : "");
+                     rules_.empty() ? "" : " that obeys the building's keep-out lines, glass and zones");
 }
 
 /// Something may have come into the path.

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "aisle/guidance/obstacles/barrier_monitor.hpp"
 #include "aisle/learning/landmarks/landmark_expectation.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
@@ -126,6 +125,7 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       follower_(vehicle, params.steering),
       progress_(path_),
       guard_(vehicle, params.guard, &camera_of(vehicle, building)),
+      rules_(building, vehicle_),
       unmatched_(view_of(building, floor_in_image_, path_), params.unmatched_sightings_min),
       continuity_(floor_in_image_.nearest_m()) {
   place(about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad));
@@ -317,14 +317,14 @@ Decision LandmarkNavigator::return_to_route(const Observation& observation) {
   if (allowed.state == GuardState::kBlocked)
     return {.status = NavigatorStatus::kFailed, .state = "lost", .why = allowed.why};
   decision.command = allowed.command;
-  return decision;
+  return rules_.obey(std::move(decision), localiser_.pose());
 }
 
-/// It must be able to see the floor around, and the building must have no barriers: while lost, it does not
-/// know where they are.
+/// It must be able to see the floor around, and nobody may have drawn anything on the building's floor: while
+/// lost, it does not know where that is.
 bool LandmarkNavigator::may_search() const {
-  return params_.guarded && params_.search_speed_mps > 0 && guard_.sees_obstacles() &&
-         building_->barriers.empty() && searched_m_ < params_.search_max_m;
+  return params_.guarded && params_.search_speed_mps > 0 && guard_.sees_obstacles() && rules_.empty() &&
+         searched_m_ < params_.search_max_m;
 }
 
 /// Stands until all places were compared without success, then explores the floor around as in an unknown
@@ -358,15 +358,10 @@ Decision LandmarkNavigator::follow(const Observation& observation) {
           .state = match_ == LandmarkMatch::kMatched ? "following" : "bridging"};
 }
 
-/// The decision, limited by barriers and obstacles.
+/// The decision, limited by what is drawn on the floor and by obstacles.
 Decision LandmarkNavigator::guarded(Decision decision) {
-  if (decision.status != NavigatorStatus::kGoing) return decision;
-  if (const Barrier* barrier =
-          barrier_ahead(building_->barriers, vehicle_, localiser_.pose(), decision.command))
-    return {.status = NavigatorStatus::kFailed,
-            .state = "blocked",
-            .why = fmt::format("{} ahead", words_for(barrier->kind))};
-  if (!params_.guarded) return decision;
+  decision = rules_.obey(std::move(decision), localiser_.pose());
+  if (decision.status != NavigatorStatus::kGoing || !params_.guarded) return decision;
   const PathAhead ahead = path_ahead(path_, progress_.point(), localiser_.pose(), params_.guard.reach_m);
   Guarded allowed = guard_.allow(decision.command, ahead);
   if (allowed.state != GuardState::kFree && unmatched_.is_unmatched() &&

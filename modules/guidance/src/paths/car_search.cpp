@@ -252,6 +252,7 @@ void CarSearch::try_move(const KnownFloor& floor, std::size_t from, const Move& 
   };
   const double cost_least_m = cost_with(params_.clearance_wanted_m);
   if (there != bins_.end() && nodes_[there->second].cost_m <= cost_least_m) return;
+  if (!may_drive(floor, nodes_[from].T_map, T_from_passed, arc)) return;
   const auto clearance_m = least_clearance_m(floor, nodes_[from].T_map, T_from_passed);
   if (!clearance_m) return;
   const double cost_m = cost_with(*clearance_m);
@@ -287,6 +288,18 @@ std::optional<double> CarSearch::least_clearance_m(const KnownFloor& floor, cons
     least_m = std::min(least_m, clearance_m);
   }
   return least_m;
+}
+
+/// Against no one-way zone, at its start nor at what it passes.
+bool CarSearch::may_drive(const KnownFloor& floor, const Pose2& T_map_from,
+                          std::span<const Pose2> T_from_passed, const Arc& arc) {
+  if (!floor.is_one_way_somewhere() || arc.length_m == 0) return true;
+  const auto may_pass = [&](const Pose2& T_map) {
+    return floor.may_drive(T_map.position(), arc.length_m < 0 ? T_map.theta + kPi : T_map.theta);
+  };
+  return may_pass(T_map_from) &&
+         std::all_of(T_from_passed.begin(), T_from_passed.end(),
+                     [&](const Pose2& T_from) { return may_pass(T_map_from * T_from); });
 }
 
 double CarSearch::cost_of(const Arc& arc, const Arc& before, bool is_first, double clearance_m) const {

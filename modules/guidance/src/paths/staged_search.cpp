@@ -30,13 +30,13 @@ double StagedSearch::left_m(const Guide& guide, const Vec2& p_map) const {
   return std::isfinite(left) ? left : (p_map - guide.p_map_place).norm() + kOffKnownFloor_m;
 }
 
-/// Distance to a place, with the search's margin, or else with the vehicle's width only.
+/// Distance between a place and another, with the search's margin, or else with the vehicle's width only.
 double StagedSearch::measure(const KnownFloor& floor, const Vec2& p_map_from, const Vec2& p_map_place,
-                             Guide& guide) const {
+                             FloorDistances::Paths paths, Guide& guide) const {
   guide.p_map_place = p_map_place;
   float path_m = FloorDistances::kUnreached;
   for (const double clearance_m : {half_width_m_ + params_.margin_m, half_width_m_}) {
-    guide.distances.measure(floor, p_map_place, clearance_m, kLeeway_m);
+    guide.distances.measure(floor, p_map_place, clearance_m, kLeeway_m, paths);
     path_m = guide.distances.near(floor.grid(), p_map_from, kBeside_m);
     if (std::isfinite(path_m)) break;
   }
@@ -54,7 +54,8 @@ void StagedSearch::look_for(const KnownFloor& floor, const Pose2& T_map_vehicle,
                             double about_m, CarSearch::IsGoal is_goal) {
   begin(floor, T_map_vehicle);
   is_goal_ = std::move(is_goal);
-  const double left_now_m = measure(floor, T_map_vehicle.position(), p_map_place, to_place_);
+  const double left_now_m =
+      measure(floor, T_map_vehicle.position(), p_map_place, FloorDistances::Paths::kToStart, to_place_);
   const bool is_far = std::isfinite(left_now_m) && left_now_m > kStageSlack * params_.stage_m + about_m;
   const double stage_end_m = is_far ? left_now_m - params_.stage_m : -1;
   search_.look_for(
@@ -76,11 +77,13 @@ void StagedSearch::search_from_ends_too(const FloorBox& places) {
 void StagedSearch::look_for_path_to(const KnownFloor& floor, const Pose2& T_map_goal,
                                     const Pose2& T_map_vehicle) {
   begin(floor, T_map_vehicle);
-  const double left_now_m = measure(floor, T_map_vehicle.position(), T_map_goal.position(), to_place_);
+  const double left_now_m = measure(floor, T_map_vehicle.position(), T_map_goal.position(),
+                                    FloorDistances::Paths::kToStart, to_place_);
   if (std::isfinite(left_now_m) && left_now_m > kStageSlack * params_.stage_m) {
     return look_for(floor, T_map_vehicle, T_map_goal.position(), 0, [](const Pose2&) { return false; });
   }
-  measure(floor, T_map_goal.position(), T_map_vehicle.position(), to_place_);
+  measure(floor, T_map_goal.position(), T_map_vehicle.position(), FloorDistances::Paths::kFromStart,
+          to_place_);
   search_.look_for_path_to(T_map_goal, T_map_vehicle,
                            [this](const Vec2& p_map) { return left_m(to_place_, p_map); });
 }
@@ -112,7 +115,8 @@ CarSearch::State StagedSearch::advance(const KnownFloor& floor, int expansions) 
     return state();
   }
   if (!to_vehicle_)
-    measure(floor, to_place_.p_map_place, T_map_vehicle_.position(), to_vehicle_.emplace(Guide{}));
+    measure(floor, to_place_.p_map_place, T_map_vehicle_.position(), FloorDistances::Paths::kFromStart,
+            to_vehicle_.emplace(Guide{}));
   from_ends_.advance(floor, expansions);
   ends_are_shut_off_ = found_none_at_all(from_ends_) && !from_ends_.meets(search_);
   return state();

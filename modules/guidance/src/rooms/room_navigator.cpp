@@ -90,7 +90,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
 }
 
 RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle,
-                             Route route, double from_m)
+                             Route route, double from_m, FloorRules rules)
     : params_(params),
       vehicle_(vehicle),
       route_(room_route(std::move(route))),
@@ -104,7 +104,8 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       brightness_(route_.room->brightness),
       T_odom_seen_(T_odom_vehicle_),
       taught_place_(params.taught_place, vehicle, route_.path),
-      pattern_share_(share_with_edges_on_path(route_.path, route_.room->edges, vehicle.footprint)) {
+      pattern_share_(share_with_edges_on_path(route_.path, route_.room->edges, vehicle.footprint)),
+      rules_(std::move(rules)) {
   if (backs_between_turnings(route_))
     corner_backing_ = std::make_unique<CornerBacking>(params.corner_backing, params.view, vehicle);
   if (route_.room->parking != ParkingStrategy::kFrame) return;
@@ -115,6 +116,10 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
 }
 
 Decision RoomNavigator::step(const Observation& observation) {
+  return rules_.obey(decide(observation), pose());
+}
+
+Decision RoomNavigator::decide(const Observation& observation) {
   T_odom_vehicle_ = T_odom_vehicle_ * odometry_step(vehicle_, observation.odometry);
   steering_rad_ = steering_rad_of(observation.odometry);
   remember_driven();

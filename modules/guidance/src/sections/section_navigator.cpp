@@ -33,7 +33,8 @@ void SectionNavigatorParams::describe(FieldList& fields) {
 }
 
 SectionNavigator::SectionNavigator(const SectionNavigatorParams& params, const VehicleDescription& vehicle,
-                                   const std::string& camera, SectionList sections, GuidedPath guided)
+                                   const std::string& camera, SectionList sections, GuidedPath guided,
+                                   FloorRules rules)
     : params_(params),
       vehicle_(vehicle),
       camera_(camera),
@@ -44,9 +45,14 @@ SectionNavigator::SectionNavigator(const SectionNavigatorParams& params, const V
       localiser_(params.localiser, vehicle, guided_),
       follower_(vehicle, params.steering),
       progress_(guided_.path),
-      guard_(vehicle, params.guard, &named_camera(vehicle, camera)) {}
+      guard_(vehicle, params.guard, &named_camera(vehicle, camera)),
+      rules_(std::move(rules)) {}
 
 Decision SectionNavigator::step(const Observation& observation) {
+  return rules_.obey(decide(observation), pose());
+}
+
+Decision SectionNavigator::decide(const Observation& observation) {
   if (!begun_s_) begun_s_ = observation.stamp_s;
   locate(observation);
   if (observation.bumper_pressed) return fail("bumped", "the bumper is pressed");

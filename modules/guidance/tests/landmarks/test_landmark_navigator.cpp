@@ -331,6 +331,30 @@ TEST(LandmarkNavigator, RefusesToCrossABarrier) {
   }
 }
 
+TEST(LandmarkNavigator, IsSlowInASlowZone) {
+  DoorDrive drive;
+  drive.building.zones = {{.kind = Zone::Kind::kSlow,
+                           .outline = {{1.5, -1}, {2.5, -1}, {2.5, 1}, {1.5, 1}},
+                           .speed_max_mps = 0.1}};
+  drive.go(30, [&] { return drive.T_map_vehicle.x > 1; });
+  drive.go(30, [&] {
+    EXPECT_LE(drive.last.command.speed_mps, 0.1 + 1e-9) << drive.T_map_vehicle.x;
+    return drive.T_map_vehicle.x > 2.4;
+  });
+  drive.go(60);
+  EXPECT_EQ(drive.last.status, NavigatorStatus::kDone) << drive.last.why;
+}
+
+TEST(LandmarkNavigator, DoesNotDriveAgainstAOneWayZone) {
+  DoorDrive drive;
+  drive.building.zones = {{.kind = Zone::Kind::kOneWay,
+                           .outline = {{1.5, -1}, {2.5, -1}, {2.5, 1}, {1.5, 1}},
+                           .direction_rad = kPi}};
+  drive.go(60);
+  EXPECT_EQ(drive.last.why, "would drive against the one-way zone");
+  EXPECT_LT(drive.T_map_vehicle.x, 1.5);
+}
+
 TEST(LandmarkNavigator, ABarrierBesideTheRouteDoesNotMatter) {
   DoorDrive drive;
   drive.building.barriers.push_back({.segment = {{0, 0.8}, {5, 0.8}}});

@@ -73,11 +73,12 @@ Route route_with_path_back(double side_m) {
 /// A bright floor, a dark wall across the path, and walls beside it.
 class DrivenRoom {
  public:
-  explicit DrivenRoom(double wall_m, Route route = straight_route(), double from_m = 0, double side_m = 50)
+  explicit DrivenRoom(double wall_m, Route route = straight_route(), double from_m = 0, double side_m = 50,
+                      FloorRules rules = {})
       : wall_m_(wall_m),
         side_m_(side_m),
         vehicle_(backs_between_turnings(route) ? room_cart_with_third_camera() : room_cart()),
-        navigator_({}, vehicle_, std::move(route), from_m),
+        navigator_({}, vehicle_, std::move(route), from_m, std::move(rules)),
         T_world_vehicle_(navigator_.pose()) {
     for (const CameraDescription& camera : vehicle_.cameras) {
       const BackProjection floor(CameraModel(camera.intrinsics), camera.mount, 0);
@@ -217,6 +218,35 @@ TEST(RoomNavigator, ReversesBetweenTurningsOnKnownFloorOnly) {
   const PathBack wide = path_back_between_turnings(1.5);
   EXPECT_GT(wide.back_m, kLegBack_m);
   EXPECT_GT(wide.lateral_m, 1);
+}
+
+FloorRules rules_of(Zone zone) {
+  zone.outline = {{2, -2}, {2.4, -2}, {2.4, 2}, {2, 2}};
+  Building building;
+  building.zones = {std::move(zone)};
+  return {building, room_cart()};
+}
+
+TEST(RoomNavigator, StopsBeforeAKeepOutZone) {
+  DrivenRoom room(20, straight_route(), 0, 50, rules_of({.kind = Zone::Kind::kKeepOut}));
+  Decision decision;
+  for (int i = 0; i < 200 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step();
+  EXPECT_EQ(decision.status, NavigatorStatus::kFailed);
+  EXPECT_EQ(decision.why, "keep-out line ahead");
+  EXPECT_LT(room.T_world_vehicle().x + room_cart().footprint.front_m, 2);
+}
+
+TEST(RoomNavigator, IsSlowInASlowZone) {
+  DrivenRoom room(20, straight_route(), 0, 50, rules_of({.kind = Zone::Kind::kSlow, .speed_max_mps = 0.05}));
+  Decision decision;
+  for (int i = 0; i < 600 && decision.status == NavigatorStatus::kGoing; ++i) {
+    decision = room.step();
+    const double x_m = room.T_world_vehicle().x;
+    if (x_m > 1.2 && x_m < 2.4) {
+      EXPECT_LE(decision.command.speed_mps, 0.05 + 1e-9) << x_m;
+    }
+  }
+  EXPECT_EQ(decision.status, NavigatorStatus::kDone);
 }
 
 }  // namespace

@@ -59,12 +59,23 @@ class CorridorDrive {
       steps = steps_of(decision.command);
       const Pose2 moved = aisle::drive(vehicle_.differential, steps);
       const bool is_blind = T_world_vehicle_.x < kBlind_m && std::abs(T_world_vehicle_.theta) > kPi / 2;
+      x_m_.push_back(T_world_vehicle_.x);
       T_world_vehicle_ = T_world_vehicle_ * moved * Pose2{0, 0, is_blind ? slip_rad_per_m_ * moved.x : 0};
     }
     return false;
   }
 
   const Pose2& T_world_vehicle() const { return T_world_vehicle_; }
+  /// Along the corridor, over a second, where it was there.
+  double fastest_mps(double from_m, double to_m) const {
+    const auto cycles = static_cast<std::size_t>(std::lround(1 / vehicle_.cycle_s));
+    double fastest = 0;
+    for (std::size_t i = cycles; i < x_m_.size(); ++i) {
+      if (x_m_[i - cycles] >= from_m && x_m_[i] <= to_m)
+        fastest = std::max(fastest, x_m_[i] - x_m_[i - cycles]);
+    }
+    return fastest;
+  }
 
  private:
   Observation observation(const WheelSteps& steps) const {
@@ -106,6 +117,7 @@ class CorridorDrive {
   double slip_rad_per_m_;
   double left_steps_ = 0, right_steps_ = 0;
   int cycle_ = 0;
+  std::vector<double> x_m_;  ///< one per cycle
 };
 
 /// The final pose of a vehicle that starts beside the beginning of its path, with a yaw error.
@@ -138,6 +150,41 @@ TEST(SectionNavigator, EndsAtThePathsEnd) {
   ASSERT_TRUE(end);
   EXPECT_NEAR(end->theta / kDegree, 0, 1);
   EXPECT_NEAR(end->y, 0, 0.015);
+}
+
+/// From x = 0.8 m to 1.2 m, across the corridor.
+Zone zone_across(Zone::Kind kind) {
+  return {.kind = kind, .outline = {{0.8, -1}, {1.2, -1}, {1.2, 1}, {0.8, 1}}, .speed_max_mps = 0.06};
+}
+
+struct ZonedDrive {
+  explicit ZonedDrive(Zone::Kind kind) {
+    Building building;
+    building.zones = {zone_across(kind)};
+    const VehicleDescription vehicle = two_wheels_and_a_camera();
+    SectionNavigator navigator({.speed = {.speed_mps = 0.3}}, vehicle, "front", sections,
+                               guided_path(sections, {}, SectionRun::kThere), FloorRules(building, vehicle));
+    is_done = drive.drive(navigator);
+  }
+
+  SectionList sections = {{.kind = Section::Kind::kFollow, .length_m = 2, .right_m = 0.6, .left_m = 0.6}};
+  CorridorDrive drive{two_wheels_and_a_camera(), {}, 0};
+  bool is_done = false;
+};
+
+TEST(SectionNavigator, StopsBeforeAKeepOutZone) {
+  const ZonedDrive zoned(Zone::Kind::kKeepOut);
+  EXPECT_FALSE(zoned.is_done);
+  const double front_m = zoned.drive.T_world_vehicle().x + two_wheels_and_a_camera().footprint.front_m;
+  EXPECT_LT(front_m, 0.8);
+  EXPECT_GT(front_m, 0.6);
+}
+
+TEST(SectionNavigator, IsSlowInASlowZone) {
+  const ZonedDrive zoned(Zone::Kind::kSlow);
+  EXPECT_TRUE(zoned.is_done);
+  EXPECT_LT(zoned.drive.fastest_mps(0.8, 1.2), 0.09);
+  EXPECT_GT(zoned.drive.fastest_mps(0, 0.5), 0.2);
 }
 
 }  // namespace

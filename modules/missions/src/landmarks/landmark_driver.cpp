@@ -7,6 +7,7 @@
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/missions/changed_parameters.hpp"
 #include "aisle/missions/route_name.hpp"
+#include "aisle/missions/route_rules.hpp"
 #include "aisle/vehicle/same_camera.hpp"
 
 namespace aisle {
@@ -62,7 +63,7 @@ Result<std::unique_ptr<LandmarkDriver>> LandmarkDriver::make(const SessionOrigin
   append(problems, check_building(*building, vehicle));
   auto path = find_path(*building, origin, vehicle.footprint);
   append(problems,
-         path ? check_barriers(*building, origin.route, *path, vehicle.footprint) : path.problems());
+         path ? check_floor_rules(*building, origin.route, *path, vehicle.footprint) : path.problems());
   if (!problems.empty()) return problems;
   return std::make_unique<LandmarkDriver>(params, vehicle, std::move(*building), std::move(*path));
 }

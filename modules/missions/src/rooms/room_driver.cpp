@@ -9,6 +9,7 @@
 #include "aisle/guidance/rooms/room_cameras.hpp"
 #include "aisle/missions/changed_parameters.hpp"
 #include "aisle/missions/route_name.hpp"
+#include "aisle/missions/route_rules.hpp"
 #include "aisle/vision/route/route_view.hpp"
 
 namespace aisle {
@@ -60,10 +61,11 @@ Result<std::unique_ptr<RoomNavigator>> make_room_navigator(const SessionOrigin& 
   }
   for (Problem& problem : unfit_for_rooms(vehicle, cameras_for(*route)))
     problems.push_back(std::move(problem));
-  for (Problem& problem : check_barriers(*building, route->name, route->path, vehicle.footprint))
+  for (Problem& problem : check_floor_rules(*building, route->name, route->path, vehicle.footprint))
     problems.push_back(std::move(problem));
   if (!problems.empty()) return problems;
-  return std::make_unique<RoomNavigator>(params.navigator, vehicle, std::move(*route), params.from_m);
+  return std::make_unique<RoomNavigator>(params.navigator, vehicle, std::move(*route), params.from_m,
+                                         FloorRules(*building, vehicle));
 }
 
 }  // namespace aisle

@@ -8,6 +8,7 @@
 #include "aisle/missions/changed_parameters.hpp"
 #include "aisle/missions/landmarks/landmark_run.hpp"
 #include "aisle/missions/route_name.hpp"
+#include "aisle/missions/route_rules.hpp"
 
 namespace aisle {
 namespace {
@@ -48,10 +49,11 @@ Result<std::unique_ptr<SectionNavigator>> make_section_navigator(const SessionOr
   if (!problems.empty()) return problems;
   GuidedPath guided =
       guided_path(route->sections, route->path.at(0).T_map_path, run_of(origin, params.and_back));
-  problems = check_barriers(*building, origin.route, guided.path, vehicle.footprint);
+  problems = check_floor_rules(*building, origin.route, guided.path, vehicle.footprint);
   if (!problems.empty()) return problems;
   return std::make_unique<SectionNavigator>(params.navigator, vehicle, corridor_camera(vehicle).name,
-                                            route->sections, std::move(guided));
+                                            route->sections, std::move(guided),
+                                            FloorRules(*building, vehicle));
 }
 
 }  // namespace aisle

@@ -9,17 +9,21 @@
 
 namespace aisle {
 
-/// Path lengths over known free floor, for a round vehicle, from one place to all others.
+/// Path lengths over known free floor, for a round vehicle, between one place and all others.
 class FloorDistances {
  public:
   static constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
+  /// Which way the paths are driven. It matters where the floor is one-way.
+  enum class Paths { kFromStart, kToStart };
+
   /// @param clearance_m  > 0, clearance that the vehicle's centre needs. A vehicle that is not round may
   /// start
   ///                with less: within `leeway_m` of the start it is not required.
-  void measure(const KnownFloor& floor, const Vec2& from_m, double clearance_m, double leeway_m);
+  void measure(const KnownFloor& floor, const Vec2& from_m, double clearance_m, double leeway_m,
+               Paths paths = Paths::kFromStart);
 
-  /// Where all paths begin.
+  /// The one place.
   FloorCell start() const { return start_; }
   /// [m]; kUnreached where no path is known. Diagonal steps count 1 % less than they are long.
   float to(FloorCell cell) const {
@@ -53,6 +57,7 @@ class FloorDistances {
   void settle(std::int32_t until, Leave leave);
   void go(std::size_t from, unsigned step);
   void go_on(Reached reached);
+  void go_where_allowed(const KnownFloor& floor, Reached reached, Paths paths);
 
   FloorBox box_;
   FloorCell start_;

@@ -11,6 +11,7 @@
 #include "aisle/maps/route.hpp"
 #include "aisle/maps/wall_direction.hpp"
 #include "aisle/maps/wall_map.hpp"
+#include "aisle/maps/zone.hpp"
 #include "aisle/vehicle/camera_description.hpp"
 
 namespace aisle {
@@ -37,7 +38,11 @@ struct Building {
   CorridorGraph corridors;
   std::vector<MapPlace> places;
   std::vector<Barrier> barriers;
+  std::vector<Zone> zones;
   std::optional<FloorGrid> floor;  ///< as it was seen
 };
+
+/// All lines that a vehicle must not cross: the barriers, and the outlines of keep-out zones.
+std::vector<Barrier> lines_not_crossed(const Building& building);
 
 }  // namespace aisle

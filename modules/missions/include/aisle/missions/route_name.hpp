@@ -27,9 +27,4 @@ std::string route_name(const Building& building, const std::string& asked);
 /// Finds a route by name. An unknown name is a problem that lists the building's routes.
 Result<Route> find_route(const Building& building, const std::string& name);
 
-/// Empty if the vehicle meets no barrier of the building along the path.
-/// @param route  name of the route, for problems
-Problems check_barriers(const Building& building, const std::string& route, const Path& path,
-                        const Footprint& footprint);
-
 }  // namespace aisle

@@ -9,6 +9,7 @@
 
 #include "aisle/guidance/exploration/scan_source.hpp"
 #include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/obstacles/floor_rules.hpp"
 #include "aisle/guidance/paths/path_driver.hpp"
 #include "aisle/guidance/paths/staged_search.hpp"
 #include "aisle/learning/walls/wall_localiser.hpp"
@@ -40,7 +41,7 @@ struct GuideNavigatorParams {
 
 /// Localises by the building's walls, plans on the learned floor, updated by what it sees now, and drives to
 /// one place after the other. It detours around obstacles, through other corridors if need be, and around the
-/// building's barriers. Where no path is left it waits, and finally gives up.
+/// building's barriers, and obeys its zones. Where no path is left it waits, and finally gives up.
 class GuideNavigator final : public Navigator {
  public:
   /// @param building       with walls and floor; must outlive the navigator
@@ -74,6 +75,7 @@ class GuideNavigator final : public Navigator {
   const KnownFloor& floor() const { return floor_; }
 
  private:
+  Decision decide(const Observation& observation);
   void locate(const Observation& observation);
   void look_at_floor(double stamp_s);
   void check_path();
@@ -92,6 +94,7 @@ class GuideNavigator final : public Navigator {
   KnownFloor floor_;
   StagedSearch search_;
   PathDriver driver_;
+  FloorRules rules_;
   std::vector<Vec2> p_map_places_;
   std::size_t next_ = 0;  ///< index in `p_map_places_`
   ScanView view_;

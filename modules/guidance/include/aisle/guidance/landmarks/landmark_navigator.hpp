@@ -19,6 +19,7 @@
 #include "aisle/guidance/landmarks/stripe_monitor.hpp"
 #include "aisle/guidance/landmarks/unmatched_monitor.hpp"
 #include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/obstacles/floor_rules.hpp"
 #include "aisle/guidance/obstacles/obstacle_guard.hpp"
 #include "aisle/learning/landmarks/landmark_localiser.hpp"
 #include "aisle/learning/landmarks/landmark_relocation.hpp"
@@ -64,8 +65,8 @@ struct LandmarkFix {
 /// stops and checks whether it is still where it believes to be. It is lost if it is elsewhere, too
 /// uncertain, or sees what the map does not contain. Then it stops, relocalises along all routes, and where
 /// that is safe explores a few metres of floor to see more; it returns to its route and drives on, or gives
-/// up. It waits for obstacles on its route and for its camera, and gives up if that lasts, or before a
-/// barrier of the building.
+/// up. It waits for obstacles on its route and for its camera, and gives up if that lasts, or where the
+/// building's barriers and zones let it go no farther.
 class LandmarkNavigator final : public Navigator {
  public:
   /// @param building  with landmarks and the camera that saw them; must outlive the navigator
@@ -115,6 +116,7 @@ class LandmarkNavigator final : public Navigator {
   PathFollower follower_;
   PathProgress progress_;
   ObstacleGuard guard_;
+  FloorRules rules_;
   UnmatchedMonitor unmatched_;
   SceneMonitor scenes_;
   StripeMonitor stripes_;

@@ -124,6 +124,8 @@ class CarSearch {
   void try_move(const KnownFloor& floor, std::size_t from, const Move& move);
   std::optional<double> least_clearance_m(const KnownFloor& floor, const Pose2& T_map_from,
                                           std::span<const Pose2> T_from_passed) const;
+  static bool may_drive(const KnownFloor& floor, const Pose2& T_map_from,
+                        std::span<const Pose2> T_from_passed, const Arc& arc);
   double cost_of(const Arc& arc, const Arc& before, bool is_first, double clearance_m) const;
   std::uint64_t bin_of(const Pose2& T_map) const;
 

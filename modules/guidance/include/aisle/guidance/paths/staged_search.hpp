@@ -53,14 +53,14 @@ class StagedSearch {
   bool is_stage() const { return is_stage_ && !is_found_from_ends(); }
 
  private:
-  /// Distances along the floor to a place.
+  /// Distances along the floor between a place and all others.
   struct Guide {
     FloorDistances distances;
     Vec2 p_map_place = Vec2::Zero();
   };
 
   double measure(const KnownFloor& floor, const Vec2& p_map_from, const Vec2& p_map_place,
-                 Guide& guide) const;
+                 FloorDistances::Paths paths, Guide& guide) const;
   double left_m(const Guide& guide, const Vec2& p_map) const;
   void begin(const KnownFloor& floor, const Pose2& T_map_vehicle);
   bool is_turn_of_ends() const;

@@ -9,6 +9,7 @@
 #include "aisle/control/path_progress.hpp"
 #include "aisle/guidance/image_monitor.hpp"
 #include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/obstacles/floor_rules.hpp"
 #include "aisle/guidance/rooms/corner_backing.hpp"
 #include "aisle/guidance/rooms/edge_memory.hpp"
 #include "aisle/guidance/rooms/edge_place.hpp"
@@ -74,8 +75,9 @@ class RoomNavigator final : public Navigator {
   /// @throws std::invalid_argument if the vehicle lacks a camera that the route needs (room_cameras.hpp), or
   ///         the route was not taught in a room
   /// @param from_m  about where on the route the vehicle stands
+  /// @param rules   of the building that the route belongs to
   RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route,
-                double from_m = 0);
+                double from_m = 0, FloorRules rules = {});
 
   Decision step(const Observation& observation) override;
 
@@ -106,6 +108,7 @@ class RoomNavigator final : public Navigator {
 
   static constexpr double kReach_m = 4;  ///< of its memory
 
+  Decision decide(const Observation& observation);
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
   bool knows_path_ahead() const;
@@ -178,6 +181,7 @@ class RoomNavigator final : public Navigator {
   SteeringChoice path_back_;
   int back_offs_ = 0;  ///< near one place
   double back_offs_at_m_ = 0;
+  FloorRules rules_;
 };
 
 }  // namespace aisle

@@ -9,6 +9,7 @@
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/obstacles/floor_rules.hpp"
 #include "aisle/guidance/obstacles/obstacle_guard.hpp"
 #include "aisle/guidance/sections/guided_path.hpp"
 #include "aisle/guidance/sections/section_localiser.hpp"
@@ -38,9 +39,10 @@ struct SectionNavigatorParams {
 class SectionNavigator final : public Navigator {
  public:
   /// @param camera  name of the vehicle's camera that looks along the corridor
+  /// @param rules   of the building that the path lies in
   /// @throws std::invalid_argument if the vehicle has none of that name, or the path is empty
   SectionNavigator(const SectionNavigatorParams& params, const VehicleDescription& vehicle,
-                   const std::string& camera, SectionList sections, GuidedPath guided);
+                   const std::string& camera, SectionList sections, GuidedPath guided, FloorRules rules = {});
   SectionNavigator(const SectionNavigator&) = delete;
   SectionNavigator& operator=(const SectionNavigator&) = delete;
 
@@ -55,6 +57,7 @@ class SectionNavigator final : public Navigator {
   const std::vector<FloorEdge>& edges() const { return edges_; }
 
  private:
+  Decision decide(const Observation& observation);
   void locate(const Observation& observation);
   Pose2 pose_on_path() const;
   Decision take_last_heading(double stamp_s);
@@ -72,6 +75,7 @@ class SectionNavigator final : public Navigator {
   PathFollower follower_;
   PathProgress progress_;
   ObstacleGuard guard_;
+  FloorRules rules_;
   std::vector<FloorEdge> edges_;
   std::vector<SensedSegment> edges_on_floor_;
   bool is_guided_ = false;  ///< in this cycle
