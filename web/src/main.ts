@@ -12,8 +12,10 @@ import { follow_theme } from "./page/theme";
 import { token_form } from "./page/token_form";
 import { SessionStore } from "./sessions/session_store";
 import { sessions_tab } from "./sessions/sessions_tab";
+import { language } from "./text";
 import "./style.css";
 
+document.documentElement.lang = language;
 follow_theme();
 take_token_from_address();
 const notices = new Notices();

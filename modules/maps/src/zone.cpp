@@ -44,6 +44,13 @@ bool contains(const Zone& zone, const Vec2& p_map) {
   return is_inside;
 }
 
+const Zone* keep_out_around(std::span<const Zone> zones, const Vec2& p_map) {
+  const auto around = std::find_if(zones.begin(), zones.end(), [&](const Zone& zone) {
+    return zone.kind == Zone::Kind::kKeepOut && contains(zone, p_map);
+  });
+  return around == zones.end() ? nullptr : &*around;
+}
+
 bool overlaps(const Zone& zone, const Footprint& footprint, const Pose2& T_map_vehicle) {
   if (contains(zone, T_map_vehicle.position())) return true;
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();

@@ -13,10 +13,8 @@ constexpr double kRouteAgainst_rad = 100 * kDegree;
 std::string why_off_limits(const Building& building, std::span<const Barrier> lines, const Path& path,
                            const PathPoint& point, const Footprint& footprint) {
   const Pose2& T_map = point.T_map_path;
-  for (const Zone& zone : building.zones) {
-    if (zone.kind == Zone::Kind::kKeepOut && contains(zone, T_map.position()))
-      return fmt::format("leads through the {}", words_for(zone));
-  }
+  if (const Zone* zone = keep_out_around(building.zones, T_map.position()))
+    return fmt::format("leads through the {}", words_for(*zone));
   if (const Barrier* met = barrier_met(lines, footprint, T_map))
     return fmt::format("meets a barrier of the building ({})", words_for(met->kind));
   const bool is_reverse = path.pieces()[point.piece].arc.length_m < 0;

@@ -32,7 +32,7 @@ constexpr Pen kZonePen{kDrawnLine, 2};
 constexpr Font kRouteFont{15, kPath, true};
 constexpr Font kNodeFont{15, kGraphLine, true};
 constexpr Font kPlaceFont{15, kNamedPlace, true};
-constexpr Font kZoneFont{13, kDrawnLine, false};
+constexpr Font kZoneFont{14, {0.62, 0.36, 0.0}, false};
 
 constexpr double kNode_px = 6;
 constexpr double kPlace_px = 5;

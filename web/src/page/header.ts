@@ -1,4 +1,4 @@
-import { text } from "../text";
+import { choose_language, language, languages, text } from "../text";
 import type { App, Tab } from "./app";
 import { button, element, set_text } from "./element";
 import { status_of } from "./status";
@@ -43,13 +43,24 @@ function theme_button(): HTMLElement {
   const made = button("", toggle_theme, { class: "theme" });
   const show = () => {
     const other = present_theme() === "dark" ? "light" : "dark";
-    made.setAttribute("aria-label", text.theme(other));
-    made.title = text.theme(other);
+    made.setAttribute("aria-label", text.theme[other]);
+    made.title = text.theme[other];
     set_text(made, other === "dark" ? "☾" : "☀");
   };
   addEventListener("aisle-theme", show);
   show();
   return made;
+}
+
+function language_button(): HTMLElement {
+  const other = language === "en" ? "de" : "en";
+  const code = other.toUpperCase();
+  return button(code, () => choose_language(other), {
+    class: "theme",
+    lang: other,
+    title: languages[other],
+    "aria-label": `${code}: ${languages[other]}`,
+  });
 }
 
 export function header(app: App, tabs: Tab[]): HTMLElement {
@@ -60,6 +71,7 @@ export function header(app: App, tabs: Tab[]): HTMLElement {
     tab_bar(app, tabs),
     status_line(app),
     app.notices.opener,
+    language_button(),
     theme_button(),
   );
 }

@@ -82,6 +82,22 @@ for (const [width, height] of sizes) {
   });
 }
 
+test("In German, too, nothing covers a control", async () => {
+  give_building(given.vehicle);
+  for (const [width, height] of sizes) {
+    const page = await open_touch(given, width, height);
+    await page.getByRole("button", { name: "Deutsch" }).tap();
+    await page.getByRole("link", { name: "Fahren" }).waitFor();
+    assert.equal(await page.evaluate(() => document.documentElement.lang), "de");
+    for (const tab of tabs) {
+      await page.evaluate((name) => (location.hash = name), tab);
+      await page.locator(`.${tab}-tab`).waitFor();
+      await check_reach(page, `${tab} at ${width} x ${height}`);
+    }
+    await page.context().close();
+  }
+});
+
 test("The stop button stays where it is in the same size, and no other comes under the finger", async () => {
   for (const [width, height] of sizes) {
     given.vehicle.send_state({ mode: "mission", mission: "explore", driven_by_hand: false, paused: false });

@@ -19,6 +19,16 @@ test("Shows a lost connection, and reconnects by itself", async () => {
   await page.getByText("l-corridor: waiting").waitFor();
 });
 
+test("Speaks the browser's language until the user chooses one, and then that", async () => {
+  const german = await open_page(given.browser, address, { ...desktop_light, locale: "de-AT" });
+  await german.getByRole("link", { name: "Gebäude" }).waitFor();
+  await german.getByRole("button", { name: "English" }).click();
+  await german.getByRole("link", { name: "Building" }).waitFor();
+  await german.reload();
+  await german.getByRole("link", { name: "Building" }).waitFor();
+  await german.context().close();
+});
+
 test("Shows when the data are old", async () => {
   vehicle.stop_sending();
   await page.getByText("Old data").waitFor();

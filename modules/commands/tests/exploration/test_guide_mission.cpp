@@ -216,6 +216,15 @@ TEST(GuideGoal, PlacesAreNamesNodesAndPoints) {
   EXPECT_THAT(refused("5,nan"), HasSubstr("'5,nan' is unknown"));
 }
 
+TEST(GuideGoal, NoPlaceLiesInAKeepOutZone) {
+  Building building = learned(l_building());
+  building.zones = {zone_over(Zone::Kind::kKeepOut, {12, 3}, {14, 12})};
+  building.zones[0].name = "lab";
+  EXPECT_THAT(to_string(goal_to(building, "lift").problems()),
+              HasSubstr("'lift' lies in the keep-out zone 'lab'"));
+  for (const Vec2& p : patrol_goal(building, 1)->p_map_places) EXPECT_FALSE(contains(building.zones[0], p));
+}
+
 TEST(GuideGoal, EveryRoundOfAPatrolIsAsLongAsTheFirst) {
   const Building building = learned(l_building());
   const Goal one = *patrol_goal(building, 1), three = *patrol_goal(building, 3);

@@ -130,7 +130,7 @@ void GuideNavigator::look_at_floor(double stamp_s) {
 
 std::string GuideNavigator::why_failed(const Observation& observation) {
   if (observation.bumper_pressed) return "the bumper is pressed";
-  if (const Zone* zone = rules_.keep_out_around(T_map_vehicle_.position()))
+  if (const Zone* zone = keep_out_around(building_.zones, T_map_vehicle_.position()))
     return fmt::format("is in the {}", words_for(*zone));
   if (is_lost(observation.stamp_s)) return "lost: what it sees fits no walls that it knows";
   if (next_ == p_map_places_.size() || observation.stamp_s - progress_s_ <= params_.give_up_s) return "";

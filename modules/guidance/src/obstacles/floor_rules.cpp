@@ -44,16 +44,9 @@ StoppingPath stopping_path(const VehicleDescription& vehicle, const Command& com
 FloorRules::FloorRules(const Building& building, const VehicleDescription& vehicle)
     : lines_(lines_not_crossed(building)), zones_(building.zones), vehicle_(vehicle) {}
 
-const Zone* FloorRules::keep_out_around(const Vec2& p_map) const {
-  const auto around = std::find_if(zones_.begin(), zones_.end(), [&](const Zone& zone) {
-    return zone.kind == Zone::Kind::kKeepOut && contains(zone, p_map);
-  });
-  return around == zones_.end() ? nullptr : &*around;
-}
-
 /// Empty: it is not.
 std::string FloorRules::why_forbidden(const Pose2& T_map_vehicle, double speed_mps) const {
-  if (const Zone* zone = keep_out_around(T_map_vehicle.position()))
+  if (const Zone* zone = keep_out_around(zones_, T_map_vehicle.position()))
     return fmt::format("is in the {}", words_for(*zone));
   if (const Barrier* line = barrier_met(lines_, vehicle_.footprint, T_map_vehicle))
     return fmt::format("{} ahead", words_for(line->kind));

@@ -135,6 +135,8 @@ Pose2 home_of(const Building& building) {
 Result<Goal> goal_to(const Building& building, const std::string& place) {
   const auto p_map = find_place(building, place);
   if (!p_map) return p_map.problems();
+  if (const Zone* zone = keep_out_around(building.zones, *p_map))
+    return Problem{{"", 0, "PLACE"}, fmt::format("'{}' lies in the {}", place, words_for(*zone))};
   return Goal{{*p_map}, shortest_m(building.corridors, home_of(building).position(), *p_map)};
 }
 
@@ -154,6 +156,8 @@ Result<Goal> patrol_goal(const Building& building, int rounds) {
       goal.p_map_places.push_back(corridor.at(leg.to_m));
     }
   }
+  std::erase_if(goal.p_map_places,
+                [&](const Vec2& p) { return keep_out_around(building.zones, p) != nullptr; });
   goal.p_map_places.push_back(p_map_home);
   return goal;
 }

@@ -29,6 +29,9 @@ std::string words_for(const Zone& zone);
 /// Whether a point lies inside.
 bool contains(const Zone& zone, const Vec2& p_map);
 
+/// The keep-out zone around a point; nullptr: none.
+const Zone* keep_out_around(std::span<const Zone> zones, const Vec2& p_map);
+
 /// Whether some part of a vehicle's outline lies inside.
 bool overlaps(const Zone& zone, const Footprint& footprint, const Pose2& T_map_vehicle);
 

@@ -25,9 +25,6 @@ class FloorRules {
   /// The command along the same path, no faster than allowed where the vehicle is or could still brake.
   Command slowed(Command command, const Pose2& T_map_vehicle) const;
 
-  /// The keep-out zone in which a point lies; nullptr: none.
-  const Zone* keep_out_around(const Vec2& p_map) const;
-
  private:
   std::string why_forbidden(const Pose2& T_map_vehicle, double speed_mps) const;
 

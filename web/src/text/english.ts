@@ -1,6 +1,6 @@
 /** What the page says, in one place. */
 
-export const text = {
+export const english = {
   tabs: { drive: "Drive", maze: "Maze", sessions: "Sessions", building: "Building" },
   status: {
     connecting: "Connecting",
@@ -69,7 +69,7 @@ export const text = {
   },
   age: (seconds: number) => (seconds < 90 ? `${Math.round(seconds)} s` : `${Math.round(seconds / 60)} min`),
   ago: (age: string) => `${age} ago`,
-  theme: (other: string) => `Switch to ${other} colours`,
+  theme: { dark: "Switch to dark colours", light: "Switch to light colours" },
   hand: {
     title: "By hand",
     take: "Take the controls",
