@@ -28,11 +28,14 @@ FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
 
 class FloorPainter {
  public:
+  /// @param free_to_m  one a beam: floor beyond is not shown to be free
   FloorPainter(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
-               std::span<const float> near_m, const Pose2& T_map_laser, double reach_m)
+               std::span<const float> free_to_m, std::span<const float> near_m, const Pose2& T_map_laser,
+               double reach_m)
       : floor_(floor),
         laser_(laser),
         ranges_m_(ranges_m),
+        free_to_m_(free_to_m),
         near_m_(near_m),
         T_map_laser_(T_map_laser),
         reach_m_(reach_m),
@@ -87,7 +90,7 @@ class FloorPainter {
     if (below < 0 || below + 1 >= static_cast<double>(ranges_m_.size())) return;
     const auto first = static_cast<std::size_t>(below);
     if (!is_usable(first) || !is_usable(first + 1)) return;
-    const double far_m = std::min(ranges_m_[first], ranges_m_[first + 1]) - floor_.cell_m();
+    const double far_m = std::min(free_to_m_[first], free_to_m_[first + 1]) - floor_.cell_m();
     const double near_m = near_m_.empty() ? 0 : std::max(near_m_[first], near_m_[first + 1]);
     if (distance_m >= far_m || distance_m < near_m) return;
     const bool may_miss =
@@ -118,6 +121,7 @@ class FloorPainter {
   FloorGrid& floor_;
   const LaserScanner& laser_;
   std::span<const float> ranges_m_;
+  std::span<const float> free_to_m_;
   std::span<const float> near_m_;
   Pose2 T_map_laser_;
   double reach_m_;
@@ -185,6 +189,31 @@ std::vector<float> usable_ranges_m(const FloorGrid& floor, const LaserScanner& l
   return usable_m;
 }
 
+/// Distance along a beam to the first cell that is known to be occupied; `reach_m` if there is none within
+/// it.
+double occupied_at_m(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad, double reach_m) {
+  const Vec2 along = unit(T_map_laser.theta + angle_rad);
+  const double step_m = floor.cell_m() / 2;
+  for (double distance_m = 0; distance_m < reach_m; distance_m += step_m) {
+    const FloorCell cell = floor.cell_at(T_map_laser.position() + distance_m * along);
+    if (floor.at(cell) == Floor::kOccupied) return distance_m;
+  }
+  return reach_m;
+}
+
+/// How far each beam shows free floor. One without a return does so only up to what is known to stand there:
+/// something absorbed it, or it went through glass.
+std::vector<float> free_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
+                                 std::span<const float> ranges_m, const Pose2& T_map_laser, double reach_m) {
+  std::vector<float> free_m(ranges_m.begin(), ranges_m.end());
+  for (std::size_t beam = 0; beam < free_m.size(); ++beam) {
+    if (free_m[beam] < laser.range_max_m) continue;
+    const double occupied_m = occupied_at_m(floor, T_map_laser, laser.beam_angle(beam), reach_m);
+    if (occupied_m < reach_m) free_m[beam] = static_cast<float>(occupied_m);
+  }
+  return free_m;
+}
+
 }  // namespace
 
 void FloorViewParams::describe(FieldList& fields) {
@@ -195,7 +224,8 @@ FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const 
                    std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params) {
   const Pose2 T_map_laser = T_map_vehicle * laser.T_vehicle_laser;
   const std::vector<float> usable_m = usable_ranges_m(floor, laser, ranges_m, near_m, T_map_laser);
-  return FloorPainter(floor, laser, usable_m, near_m, T_map_laser, params.reach_m).paint();
+  const std::vector<float> free_m = free_ranges_m(floor, laser, usable_m, T_map_laser, params.reach_m);
+  return FloorPainter(floor, laser, usable_m, free_m, near_m, T_map_laser, params.reach_m).paint();
 }
 
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle) {

@@ -51,6 +51,30 @@ std::vector<Segment2> cross_section(const World& world, double height_m) {
   return outlines(world, {height_m, height_m});
 }
 
+SeenOutlines seen_outlines(const World& world, double height_m) {
+  SeenOutlines seen;
+  const Layer layer{height_m, height_m};
+  World clear = world;
+  std::erase_if(clear.walls, [](const WallFace& wall) { return wall.is_glass(); });
+  std::erase_if(clear.furniture, [](const Furniture& piece) { return piece.returns < 1; });
+  seen.clear = outlines(clear, layer);
+  for (const WallFace& wall : world.walls) {
+    if (!wall.is_glass()) continue;
+    Outlines pane(layer);
+    pane.add(wall);
+    for (const Segment2& segment : std::move(pane).take())
+      seen.faint.push_back({segment, wall.returns, true});
+  }
+  for (const Furniture& piece : world.furniture) {
+    if (piece.returns >= 1) continue;
+    Outlines faces(layer);
+    for (const Prism& part : parts_of(piece)) faces.add(part);
+    for (const Segment2& segment : std::move(faces).take())
+      seen.faint.push_back({segment, piece.returns, false});
+  }
+  return seen;
+}
+
 std::vector<Segment2> obstacles_below(const World& world, double height_m) {
   return outlines(world, {0, height_m});
 }

@@ -76,7 +76,9 @@ void add_sides(const Poster& poster, Edges& edges) {
 
 std::vector<VerticalEdge> vertical_edges(const World& world) {
   Edges edges;
-  add_wall_ends(world.walls, edges);
+  std::vector<WallFace> seen_walls = world.walls;
+  std::erase_if(seen_walls, [](const WallFace& wall) { return wall.is_glass(); });
+  add_wall_ends(seen_walls, edges);
   for (const Door& door : world.doors) {
     edges.add(frame_posts_of(door), VerticalEdgeKind::kDoorFrame);
     if (door.open_rad != 0 || door.frame_width_m <= 0) edges.add(leaf_of(door), VerticalEdgeKind::kDoorLeaf);

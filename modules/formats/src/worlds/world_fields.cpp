@@ -26,7 +26,8 @@ constexpr std::array<std::string_view, 4> kFurnitureKinds = {"box", "table", "ch
 ObjectFields fields_of(WallLine& wall) {
   return {needed(field::points("line", wall.line, kCoordinate_m)),
           field::number("height_m", wall.height_m, kHeight_m),
-          field::number("brightness", wall.brightness, kShare)};
+          field::number("brightness", wall.brightness, kShare),
+          field::number("returns", wall.returns, kShare)};
 }
 
 ObjectFields fields_of(Door& door) {
@@ -75,7 +76,8 @@ ObjectFields fields_of(Furniture& piece) {
           needed(size("size", piece.size)),
           field::angle("heading_deg", piece.heading_rad),
           field::number("height_m", piece.height_m, kHeight_m),
-          field::number("brightness", piece.brightness, kShare)};
+          field::number("brightness", piece.brightness, kShare),
+          field::number("returns", piece.returns, kShare)};
 }
 
 ObjectFields fields_of(ParkingFrame& frame) {

@@ -16,6 +16,7 @@ struct WallLine {
   std::vector<Vec2> line;
   double height_m = 0;  ///< 0: up to the ceiling
   double brightness = WallFace{}.brightness;
+  double returns = WallFace{}.returns;
 };
 
 ObjectFields fields_of(WallLine& wall);

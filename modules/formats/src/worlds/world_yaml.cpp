@@ -113,7 +113,7 @@ void WorldReader::add_faces(const YAML::Node& node, const std::string& key, cons
       nodes_.problem(node, key,
                      fmt::format("the point [{:g}, {:g}] is given twice in a row", end.x(), end.y()));
     }
-    world_.walls.push_back({{start, end}, wall.height_m, wall.brightness});
+    world_.walls.push_back({{start, end}, wall.height_m, wall.brightness, wall.returns});
   }
 }
 

@@ -11,8 +11,9 @@ std::vector<WallLine> wall_lines(const World& world) {
   for (const WallFace& wall : world.walls) {
     const double height_m = wall.height_m == world.ceiling_m ? WallLine{}.height_m : wall.height_m;
     const bool goes_on = !lines.empty() && lines.back().line.back() == wall.floor_edge.start &&
-                         lines.back().height_m == height_m && lines.back().brightness == wall.brightness;
-    if (!goes_on) lines.push_back({{wall.floor_edge.start}, height_m, wall.brightness});
+                         lines.back().height_m == height_m && lines.back().brightness == wall.brightness &&
+                         lines.back().returns == wall.returns;
+    if (!goes_on) lines.push_back({{wall.floor_edge.start}, height_m, wall.brightness, wall.returns});
     lines.back().line.push_back(wall.floor_edge.end);
   }
   return lines;

@@ -194,7 +194,7 @@ TEST(WorldYaml, ReportsEveryProblemWithItsLineAndKey) {
       "w.yaml:8: walls[4].brightness: 2 is outside 0 .. 1\n"
       "w.yaml:10: boxes[0].size: 0 is outside 0.01 .. 1000\n"
       "w.yaml:11: boxes[1].center: unknown key (known: kind, centre, size, heading_deg, height_m, "
-      "brightness)\n"
+      "brightness, returns)\n"
       "w.yaml:11: boxes[1].centre: is missing\n"
       "w.yaml:13: doors[0].width_m: 0 is outside 0.05 .. 20\n"
       "w.yaml:14: doors[1]: has no keys (known: hinge, closed_heading_deg, open_deg, width_m, height_m, "

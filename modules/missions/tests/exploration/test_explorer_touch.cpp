@@ -35,5 +35,27 @@ TEST(ExplorerTouch, RecordsAContactThatNoScanShowsGoesNoFartherAndComesHomeWitho
   EXPECT_LT(run.off_home_m(), 0.1);
 }
 
+/// A lobby, parted by a pane of glass with a passage beside it.
+World lobby_with_glass(double returns) {
+  World world = walled_by({{0, 0}, {12, 0}, {12, 6}, {0, 6}}, {2, 3, 0});
+  world.walls.push_back({.floor_edge = {{6, 0}, {6, 3.5}}, .returns = returns});
+  return world;
+}
+
+TEST(ExplorerTouch, GlassThatSendsBackATenthOfTheBeamsIsNotTouched) {
+  ExplorerRun run(lobby_with_glass(0.1), 1);
+  while (run.goes_on(kContactTimeMax_s)) run.step(*run.vehicle.sense());
+  EXPECT_EQ(run.last.status, NavigatorStatus::kDone) << run.last.why;
+  EXPECT_EQ(run.vehicle.truth().collisions, 0U);
+  EXPECT_TRUE(run.explorer->record().certified());
+}
+
+TEST(ExplorerTouch, GlassThatNothingShowsCostsTheCertificate) {
+  ExplorerRun run(lobby_with_glass(0), 1);
+  while (run.goes_on(kContactTimeMax_s)) run.step(*run.vehicle.sense());
+  EXPECT_GT(run.vehicle.truth().collisions, 0U);
+  EXPECT_FALSE(run.explorer->record().certified());
+}
+
 }  // namespace
 }  // namespace aisle

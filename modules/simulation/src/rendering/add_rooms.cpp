@@ -123,6 +123,7 @@ void add_rooms(const World& world, Materials& materials, Panels& panels) {
   for (const Door& door : world.doors) doorways.push_back(doorway_of(door));
   const int skirting = materials.paint(world.skirting_brightness);
   for (const WallFace& wall : world.walls) {
+    if (wall.is_glass()) continue;
     const Vec2 along = wall.floor_edge.end - wall.floor_edge.start;
     panels.push_back({.corner = {wall.floor_edge.start.x(), wall.floor_edge.start.y(), 0},
                       .along = {along.x(), along.y(), 0},

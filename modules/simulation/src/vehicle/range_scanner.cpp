@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "aisle/simulation/cross_section.hpp"
+#include <limits>
+#include <utility>
 
 namespace aisle {
 
@@ -18,7 +18,10 @@ void RangeSensorParams::describe(FieldList& fields) {
 }
 
 RangeScanner::RangeScanner(const World& world, const RangeScannerParams& params)
-    : params_(params), walls_(cross_section(world, params.sensor.height_m)) {}
+    : RangeScanner(params, seen_outlines(world, params.sensor.height_m)) {}
+
+RangeScanner::RangeScanner(const RangeScannerParams& params, SeenOutlines outlines)
+    : params_(params), walls_(std::move(outlines.clear)), faint_(std::move(outlines.faint)) {}
 
 std::vector<float> RangeScanner::scan(const Pose2& T_world_vehicle, Random& random,
                                       std::span<const Segment2> movers) const {
@@ -27,13 +30,28 @@ std::vector<float> RangeScanner::scan(const Pose2& T_world_vehicle, Random& rand
   for (std::size_t beam = 0; beam < ranges_m.size(); ++beam) {
     const Vec2 direction =
         unit(T_world_laser.theta + params_.laser.beam_angle(beam) + params_.sensor.angle_offset_rad);
-    double true_m = walls_.cast(T_world_laser.position(), direction);
+    double true_m = seen_m(T_world_laser.position(), direction, random);
     for (const Segment2& edge : movers) {
       true_m = std::min(true_m, ray_distance(T_world_laser.position(), direction, edge));
     }
     ranges_m[beam] = static_cast<float>(reading_m(true_m, random));
   }
   return ranges_m;
+}
+
+/// To what sends the beam back; infinity: nothing does. Whether a faint outline does is chance, once a beam
+/// for each, so that the beams of a world without any are as they were.
+double RangeScanner::seen_m(const Vec2& p_world_laser, const Vec2& direction, Random& random) const {
+  double nearest_m = walls_.cast(p_world_laser, direction);
+  bool is_lost = false;
+  for (const FaintOutline& outline : faint_) {
+    const double there_m = ray_distance(p_world_laser, direction, outline.segment);
+    const bool returns = random.uniform() < outline.returns;
+    if (there_m >= nearest_m || (outline.is_glass && !returns)) continue;
+    nearest_m = there_m;
+    is_lost = !returns;
+  }
+  return is_lost ? std::numeric_limits<double>::infinity() : nearest_m;
 }
 
 /// Draws the same number of random numbers for every beam, so that a fault of one beam does not change the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "aisle/simulation/vehicle/range_scanner.hpp"
 
@@ -86,6 +87,34 @@ TEST(RangeScanner, NoiseHasTheGivenSpread) {
   }
   EXPECT_NEAR(sum / 4000, 0, 0.004);
   EXPECT_NEAR(std::sqrt(squares / 4000), 0.05, 0.003);
+}
+
+/// How many of 10 000 beams straight ahead end at each distance, to the centimetre.
+std::map<int, int> ends_ahead_cm(const World& world) {
+  const RangeScanner scanner(world, without_faults());
+  Random random(1);
+  std::map<int, int> ends;
+  for (int i = 0; i < 10'000; ++i)
+    ++ends[static_cast<int>(std::lround(100 * scanner.scan({0, 0, 0}, random)[90]))];
+  return ends;
+}
+
+TEST(RangeScanner, SomeBeamsComeBackFromGlassAndTheOthersFromWhatIsBehind) {
+  World world = square_room();
+  world.walls.push_back({.floor_edge = {{1, -1}, {1, 1}}, .returns = 0.2});
+  const std::map<int, int> ends = ends_ahead_cm(world);
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_NEAR(ends.at(100), 2000, 120);
+  EXPECT_NEAR(ends.at(200), 8000, 120);
+}
+
+TEST(RangeScanner, BlackFurnitureAbsorbsTheBeamsThatDoNotComeBack) {
+  World world = square_room();
+  world.furniture.push_back({.centre = {1.5, 0}, .size = {1, 1}, .returns = 0});
+  const int nothing_cm = static_cast<int>(std::lround(100 * without_faults().laser.range_max_m));
+  EXPECT_THAT(ends_ahead_cm(world), testing::ElementsAre(testing::Pair(nothing_cm, 10'000)));
+  world.furniture.push_back({.centre = {0.7, 0}, .size = {0.2, 1}});
+  EXPECT_THAT(ends_ahead_cm(world), testing::ElementsAre(testing::Pair(60, 10'000))) << "it stands before";
 }
 
 }  // namespace

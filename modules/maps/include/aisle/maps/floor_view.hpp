@@ -11,7 +11,7 @@ namespace aisle {
 
 /// How a scan shows free floor. Between two beams the floor counts as free up to the nearer of the two. Beams
 /// without a return are ignored where their neighbours leave no opening wide enough to drive through: dark or
-/// shiny surfaces absorb them.
+/// shiny surfaces absorb them. Elsewhere they show free floor up to what is known to stand there.
 struct FloorViewParams {
   double reach_m = 6;  ///< farther floor is left unknown
 

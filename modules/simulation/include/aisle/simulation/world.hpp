@@ -20,6 +20,11 @@ struct WallFace {
   Segment2 floor_edge;
   double height_m = 2.7;
   double brightness = 0.75;
+  /// Share of a range scanner's beams that it sends back; the others go through. Less than 1: it is a pane of
+  /// glass, which cameras do not see either.
+  double returns = 1;
+
+  bool is_glass() const { return returns < 1; }
 };
 
 /// A door leaf on its hinge, with the frame that it closes.
@@ -88,6 +93,8 @@ struct Furniture {
   double heading_rad = 0;
   double height_m = 0.75;
   double brightness = 0.5;
+  double returns =
+      1;  ///< share of a range scanner's beams that it sends back; black surfaces absorb the others
 };
 
 /// A rectangle painted on the floor to park in (L96 section 5).

@@ -6,6 +6,7 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/core/parameters.hpp"
 #include "aisle/core/random.hpp"
+#include "aisle/simulation/cross_section.hpp"
 #include "aisle/simulation/wall_grid.hpp"
 #include "aisle/simulation/world.hpp"
 #include "aisle/vehicle/laser_log.hpp"
@@ -49,10 +50,13 @@ class RangeScanner {
                           std::span<const Segment2> movers = {}) const;
 
  private:
+  RangeScanner(const RangeScannerParams& params, SeenOutlines outlines);
+  double seen_m(const Vec2& p_world_laser, const Vec2& direction, Random& random) const;
   double reading_m(double true_m, Random& random) const;
 
   RangeScannerParams params_;
   WallGrid walls_;
+  std::vector<FaintOutline> faint_;
 };
 
 }  // namespace aisle
