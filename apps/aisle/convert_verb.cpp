@@ -1,9 +1,11 @@
 #include "aisle/commands/convert.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <sstream>
 
+#include "aisle/commands/convert_map.hpp"
 #include "examples.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
@@ -73,6 +75,38 @@ void add_drawing_options(CLI::App& verb, ConvertOptions& options) {
       "m\"");
 }
 
+/// "NAME=x,y" or "NAME=x,y,heading_deg"
+MapPlace parse_named_place(const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0)
+    throw CLI::ValidationError("--place", "'" + text + "' is not NAME=x,y or NAME=x,y,heading_deg (metres)");
+  std::string pose = text.substr(equals + 1);
+  if (std::count(pose.begin(), pose.end(), ',') == 1) pose += ",0";
+  return {text.substr(0, equals), parse_place("--place", pose)};
+}
+
+/// @return the flag that asks for a building
+CLI::Option* add_building_options(CLI::App& verb, ConvertMapOptions& options) {
+  CLI::Option* const flag = verb.add_flag("--building");
+  flag->description(
+      "make a building to drive in of a map that others made (map_server, slam_toolbox, Cartographer), in "
+      "place of a world to simulate");
+  verb.add_option_function<std::vector<std::string>>(
+          "--place",
+          [&options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) options.places.push_back(parse_named_place(text));
+          },
+          "a place of the building, NAME=x,y or NAME=x,y,heading_deg in the map [m]; repeatable (default: "
+          "home at the map's origin)")
+      ->allow_extra_args(false)
+      ->type_name("NAME=x,y")
+      ->needs(flag);
+  verb.add_option("--keep-out", options.keep_out,
+                  "keep-out mask of Nav2 (map_server YAML file): its occupied cells become barriers")
+      ->needs(flag);
+  return flag;
+}
+
 }  // namespace
 
 void add_convert_verb(CLI::App& app, Work& work) {
@@ -80,7 +114,9 @@ void add_convert_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   add_examples(*verb, {"aisle convert plan.png --resolution 0.05 --speck 0.3 -o plan.yaml",
                        "aisle convert plan.pdf --scale-by \"100,100 500,100 12.5 m\" -o plan.yaml",
-                       "aisle convert --random 7 --kind office -o building.yaml"});
+                       "aisle convert --random 7 --kind office -o building.yaml",
+                       "aisle convert map.yaml --building --place home=0,0,0 --keep-out mask.yaml -o "
+                       "building.json"});
   auto options = std::make_shared<ConvertOptions>();
   verb->add_option(
       "PLAN", options->plan,
@@ -113,7 +149,9 @@ void add_convert_verb(CLI::App& app, Work& work) {
   add_random_options(*verb, *options);
   verb->add_flag("--dress", options->dress,
                  "decorate a plan with closed doors, posters and lamps; random buildings always have them");
-  verb->add_option("-o,--out", options->out, "world file to write");
+  auto map_options = std::make_shared<ConvertMapOptions>();
+  const CLI::Option* const is_building = add_building_options(*verb, *map_options);
+  verb->add_option("-o,--out", options->out, "world or building file to write");
   verb->add_flag("--force", options->force, "overwrite an existing file");
   verb->callback([=, &work] {
     if (options->plan.empty() && !options->seed) throw CLI::RequiredError("PLAN");
@@ -121,6 +159,14 @@ void add_convert_verb(CLI::App& app, Work& work) {
       throw CLI::ValidationError("PLAN", "cannot be combined with --random");
     }
     if (options->out.empty()) throw CLI::RequiredError("--out");
+    if (is_building->count() > 0) {
+      if (options->plan.empty()) throw CLI::RequiredError("PLAN");
+      map_options->map = options->plan;
+      map_options->out = options->out;
+      map_options->force = options->force;
+      work = [map_options](Console& console) { return run_convert_map(*map_options, console); };
+      return;
+    }
     work = [options](Console& console) { return run_convert(*options, console); };
   });
 }

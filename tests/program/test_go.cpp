@@ -26,5 +26,55 @@ TEST_F(Go, FindsItselfWhereItIsPutDownAndAgainAfterItWasCarriedAway) {
   EXPECT_EQ(figures["collisions"], 0);
 }
 
+class GoInAMap : public WorkplaceWithLog {
+ protected:
+  void SetUp() override {
+    WorkplaceWithLog::SetUp();
+    ASSERT_EQ(run_aisle({"map", log(), "--out", at("map"), "--json"}).exit_code, 0);
+  }
+  ProgramRun convert(const Arguments& more) const {
+    Arguments all = {"convert", at("map/map.yaml"), "--building", "-o", at("building.json"), "--json"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_aisle(all);
+  }
+};
+
+/// A mask of cells of 0.5 m around the map's origin: black between two corners, in metres.
+std::string mask_pgm(double x_low, double y_low, double x_high, double y_high) {
+  std::string pgm = "P2\n160 160\n255\n";
+  for (int row = 0; row < 160; ++row) {
+    for (int column = 0; column < 160; ++column) {
+      const double x = 0.5 * column - 39.75, y = 39.75 - 0.5 * row;
+      const bool is_zone = x > x_low && x < x_high && y > y_low && y < y_high;
+      pgm += is_zone ? "0 " : "254 ";
+    }
+    pgm += "\n";
+  }
+  return pgm;
+}
+
+constexpr const char* kMask = "image: mask.pgm\nresolution: 0.5\norigin: [-40, -40, 0]\nnegate: 0\n";
+
+TEST_F(GoInAMap, DrivesToAPlaceTheOtherWayRoundWhereAMaskClosesTheCorridor) {
+  file("mask.pgm", mask_pgm(8, -1.5, 9, 1.5));
+  const auto made = convert({"--place", "desk=14.4,2.5", "--keep-out", file("mask.yaml", kMask)}).json();
+  EXPECT_EQ(made["figures"]["places"], 2) << "and home, at the map's origin";
+  EXPECT_EQ(made["figures"]["barriers"], 4);
+  const ProgramRun run = run_aisle({"go", at("building.json"), "desk", "--world", "small-office", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_EQ(run.json()["figures"]["collisions"], 0);
+  EXPECT_GT(run.json()["figures"]["distance_m"], 22) << "through the zone it would be 17 m";
+}
+
+TEST_F(GoInAMap, PlacesWhereNothingCanDriveAreRefused) {
+  EXPECT_THAT(convert({"--place", "desk=300,2"}), IsRefused("'desk' at 300,2 is not on floor"));
+  file("mask.pgm", mask_pgm(-2, -2, 2, 2));
+  EXPECT_THAT(convert({"--keep-out", file("mask.yaml", kMask)}),
+              IsRefused("'home' at 0,0 lies in a keep-out zone; missions begin at home"));
+  EXPECT_THAT(run_aisle({"convert", file("plan.pgm", "P2\n1 1\n255\n0\n"), "--building", "-o", at("b.json"),
+                         "--json"}),
+              IsRefused("plan.pgm"));
+}
+
 }  // namespace
 }  // namespace aisle

@@ -19,17 +19,6 @@ constexpr double kSigma_cells = 0.25;  // of a wall's position
 constexpr int kSightings = 10;         // as of a wall that was seen often
 constexpr double kOnAxis_rad = 1e-6;
 
-/// What the map's pixels say at a point of the map.
-Floor floor_at(const PlanReading& map, const Vec2& p_map) {
-  const FloorPlan& plan = map.plan;
-  const Vec2 p = (plan.T_world_plan.inverse() * p_map) / plan.cell_m;
-  const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
-  if (!plan.contains(x, y)) return Floor::kUnknown;
-  if (!plan.is_solid(x, y)) return Floor::kFree;
-  const bool is_unseen = !map.unseen.empty() && map.unseen[plan.index(x, y)] != 0;
-  return is_unseen ? Floor::kUnknown : Floor::kOccupied;
-}
-
 bool has_wall_behind(const PlanReading& map, const Vec2& p_map, const Vec2& normal) {
   const double cell_m = map.plan.cell_m;
   for (const double cells : {0.5, 1.0, kBehind_cells}) {
@@ -83,6 +72,16 @@ FloorGrid floor_of(const PlanReading& map) {
 
 }  // namespace
 
+Floor floor_at(const PlanReading& map, const Vec2& p_map) {
+  const FloorPlan& plan = map.plan;
+  const Vec2 p = (plan.T_world_plan.inverse() * p_map) / plan.cell_m;
+  const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
+  if (!plan.contains(x, y)) return Floor::kUnknown;
+  if (!plan.is_solid(x, y)) return Floor::kFree;
+  const bool is_unseen = !map.unseen.empty() && map.unseen[plan.index(x, y)] != 0;
+  return is_unseen ? Floor::kUnknown : Floor::kOccupied;
+}
+
 Result<Building> building_of_map(const PlanReading& map, std::string name, Progress& progress) {
   const auto borders = trace_plan(map.plan, {}, progress);
   if (!borders) return Problem{{name}, "has more than a million corners: no map of a building"};
@@ -94,16 +93,20 @@ Result<Building> building_of_map(const PlanReading& map, std::string name, Progr
   return building;
 }
 
-Result<Building> read_known_building(const std::filesystem::path& file, Console& console) {
-  if (!is_plan(file) || file.extension() == ".json") return read_building(file);
-  const auto map = read_map_server(file);
+Result<Building> read_map_building(const std::filesystem::path& yaml, Console& console) {
+  const auto map = read_map_server(yaml);
   if (!map) return map.problems();
   warn_of(map->warnings, console);
-  auto building = building_of_map(*map, file.stem().string(), console.progress);
-  if (!building) return at_file(building.problems(), file.string());
+  auto building = building_of_map(*map, yaml.stem().string(), console.progress);
+  if (!building) return at_file(building.problems(), yaml.string());
   if (building->walls.walls.empty() && building->floor->count(Floor::kOccupied) == 0)
-    return Problem{{file.string()}, "shows no walls"};
+    return Problem{{yaml.string()}, "shows no walls"};
   return building;
+}
+
+Result<Building> read_known_building(const std::filesystem::path& file, Console& console) {
+  if (!is_plan(file) || file.extension() == ".json") return read_building(file);
+  return read_map_building(file, console);
 }
 
 }  // namespace aisle

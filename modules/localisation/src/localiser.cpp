@@ -14,6 +14,13 @@ Mat3 covariance_of(const Mat3& information) {
   return (information + kWeak * Mat3::Identity()).inverse();
 }
 
+/// Poses that explain less than `explained_min` are never looked at. Where one of them could still rival the
+/// best place, that place stands alone only because nobody looked.
+bool were_all_rivals_sought(const PlaceCandidates& places, const SurfaceView& view,
+                            const PlaceSearchParams& params) {
+  return places.misfit_max_m() <= (1 - params.explained_min) * view.surface_m();
+}
+
 }  // namespace
 
 const char* name_of(LocaliserState state) {
@@ -149,7 +156,11 @@ std::optional<PlaceCandidate> Localiser::confirmed_place() {
 
 void Localiser::judge(const SurfaceView& view) {
   auto place = told_place(view);
-  if (!place) place = confirmed_place();
+  if (!were_all_rivals_sought(places_, view, params_.search)) {
+    T_map_leader_.reset();
+  } else if (!place) {
+    place = confirmed_place();
+  }
   if (place) {
     believe(*place);
   } else if (!places_.empty()) {

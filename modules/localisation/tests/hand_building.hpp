@@ -16,6 +16,12 @@ inline void add_outline(const std::vector<Vec2>& corners, Building& building) {
     building.walls.walls.push_back({.segment = {corners[i], corners[(i + 1) % corners.size()]}});
 }
 
+/// A square obstacle, by its lower left corner.
+inline void add_box(const Vec2& p_low, double side_m, Building& building) {
+  const double x = p_low.x(), y = p_low.y();
+  add_outline({{x, y}, {x, y + side_m}, {x + side_m, y + side_m}, {x + side_m, y}}, building);
+}
+
 /// An L-shaped room of 12 x 8 m with a pillar: no two places in it look alike.
 inline Building l_room() {
   Building building;

@@ -131,6 +131,22 @@ TEST(Localiser, SaysThatThisIsAnotherBuilding) {
   EXPECT_EQ(drive.state(), LocaliserState::kNotHere);
 }
 
+TEST(Localiser, IsNotSureWhereHalfOfWhatItSeesIsNotInTheMap) {
+  const Building known = hand::l_room();
+  Building world = known;
+  for (const double x : {0.6, 1.9, 3.2}) hand::add_box({x, 6.2}, 0.7, world);
+  for (const double y : {2.6, 4.2}) hand::add_box({0.4, y}, 0.7, world);
+  hand::add_box({3.4, 3.4}, 0.7, world);
+  Drive drive(world, known, {2, 5.2, 0.4});
+  drive.let_it_search();
+  drive.turn(2 * kPi);
+  ASSERT_FALSE(drive.localiser().places().empty());
+  const double share = drive.localiser().places().front().fit.explained_share();
+  EXPECT_GT(share, PlaceSearchParams{}.explained_min);
+  EXPECT_LT(share, 0.75) << "clutter enough to hide a place that explains less";
+  EXPECT_EQ(drive.state(), LocaliserState::kAmbiguous) << "a place that was not looked at may fit as well";
+}
+
 TEST(Localiser, NoticesThatItWasCarriedAwayAndFindsItselfAgain) {
   const Building building = hand::l_room();
   Drive drive(building, building, {2, 4, 0.4});

@@ -10,10 +10,16 @@
 
 namespace aisle {
 
+/// What a map's pixels say at a point of the map; unknown beyond them.
+Floor floor_at(const PlanReading& map, const Vec2& p_map);
+
 /// The walls and the floor that a map shows. A wall is a border of free floor with occupied cells behind it;
 /// where floor borders on what nobody has seen, there is none.
 /// Problem: it has more corners than any building.
 Result<Building> building_of_map(const PlanReading& map, std::string name, Progress& progress);
+
+/// The same of a map of map_server (YAML). Warnings go to the console. Problem: it shows no walls either.
+Result<Building> read_map_building(const std::filesystem::path& yaml, Console& console);
 
 /// Reads a building file (JSON), or a map of map_server (YAML), told by the name. Warnings go to the console.
 Result<Building> read_known_building(const std::filesystem::path& file, Console& console);
