@@ -77,6 +77,22 @@ TEST_P(MappedOffice, PosesKnownWhileDrivingRestOnNothingThatComesLater) {
   }
 }
 
+TEST_P(MappedOffice, PosesKnownWhileDrivingAreNearlyAsExactAsTheFinalOnes) {
+  const TourRecording run = recorded(GetParam());
+  const MapResult result = mapped(run.log);
+  EXPECT_LT(error_m(result.T_map_vehicle_online, run), error_m(result.T_map_vehicle, run) + 0.006);
+}
+
+TEST_P(MappedOffice, WithoutNoisePosesKnownWhileDrivingAreTheFinalOnes) {
+  TourParams exact;
+  exact.odometry = {0, 0, 0, 0, 0, 0};
+  exact.scanner.noise_sigma_m = exact.scanner.resolution_m = exact.scanner.dropped_share = 0;
+  const MapResult result = mapped(recorded(GetParam(), exact).log);
+  ASSERT_EQ(result.T_map_vehicle_online.size(), result.T_map_vehicle.size());
+  for (std::size_t i = 0; i < result.T_map_vehicle.size(); ++i)
+    ASSERT_THAT(result.T_map_vehicle_online[i], PoseNear(result.T_map_vehicle[i], 0.02, 0.5 * kDegree)) << i;
+}
+
 TEST(MappedRun, ADelayOfTheOdometryIsFoundAndDoesNoHarm) {
   for (const double delay_s : {-0.1, 0.13}) {
     TourParams params;
