@@ -86,11 +86,15 @@ TEST_P(MappedOffice, PosesKnownWhileDrivingAreNearlyAsExactAsTheFinalOnes) {
 TEST_P(MappedOffice, WithoutNoisePosesKnownWhileDrivingAreTheFinalOnes) {
   TourParams exact;
   exact.odometry = {0, 0, 0, 0, 0, 0};
-  exact.scanner.noise_sigma_m = exact.scanner.resolution_m = exact.scanner.dropped_share = 0;
-  const MapResult result = mapped(recorded(GetParam(), exact).log);
-  ASSERT_EQ(result.T_map_vehicle_online.size(), result.T_map_vehicle.size());
-  for (std::size_t i = 0; i < result.T_map_vehicle.size(); ++i)
-    ASSERT_THAT(result.T_map_vehicle_online[i], PoseNear(result.T_map_vehicle[i], 0.02, 0.5 * kDegree)) << i;
+  RangeSensorParams& sensor = exact.scanner.sensor;
+  sensor.noise_sigma_m = sensor.resolution_m = sensor.dropped_share = 0;
+  const TourRecording run = recorded(GetParam(), exact);
+  const MapResult result = mapped(run.log);
+  const std::vector<Pose2>& online = result.T_map_vehicle_online;
+  const std::vector<Pose2>& last = result.T_map_vehicle;
+  ASSERT_EQ(online.size(), last.size());
+  for (std::size_t i = 0; i < last.size(); ++i) ASSERT_THAT(online[i], PoseNear(last[i], 0.05, kDegree)) << i;
+  EXPECT_NEAR(error_m(online, run), error_m(last, run), 0.003);
 }
 
 TEST(MappedRun, ADelayOfTheOdometryIsFoundAndDoesNoHarm) {
