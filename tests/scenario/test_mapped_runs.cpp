@@ -77,6 +77,26 @@ TEST_P(MappedOffice, PosesKnownWhileDrivingRestOnNothingThatComesLater) {
   }
 }
 
+TEST_P(MappedOffice, PosesKnownWhileDrivingAreNearlyAsExactAsTheFinalOnes) {
+  const TourRecording run = recorded(GetParam());
+  const MapResult result = mapped(run.log);
+  EXPECT_LT(error_m(result.T_map_vehicle_online, run), error_m(result.T_map_vehicle, run) + 0.006);
+}
+
+TEST_P(MappedOffice, WithoutNoisePosesKnownWhileDrivingAreTheFinalOnes) {
+  TourParams exact;
+  exact.odometry = {0, 0, 0, 0, 0, 0};
+  RangeSensorParams& sensor = exact.scanner.sensor;
+  sensor.noise_sigma_m = sensor.resolution_m = sensor.dropped_share = 0;
+  const TourRecording run = recorded(GetParam(), exact);
+  const MapResult result = mapped(run.log);
+  const std::vector<Pose2>& online = result.T_map_vehicle_online;
+  const std::vector<Pose2>& last = result.T_map_vehicle;
+  ASSERT_EQ(online.size(), last.size());
+  for (std::size_t i = 0; i < last.size(); ++i) ASSERT_THAT(online[i], PoseNear(last[i], 0.05, kDegree)) << i;
+  EXPECT_NEAR(error_m(online, run), error_m(last, run), 0.003);
+}
+
 TEST(MappedRun, ADelayOfTheOdometryIsFoundAndDoesNoHarm) {
   for (const double delay_s : {-0.1, 0.13}) {
     TourParams params;

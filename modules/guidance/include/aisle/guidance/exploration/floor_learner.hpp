@@ -13,9 +13,11 @@ namespace aisle {
 
 struct FloorLearnerParams {
   /// Same wall: a door's leaf stands 11 cm behind its wall. Drawn walls: those of a room seen through its
-  /// door are visible along a short path only.
-  MapParams mapping{
-      .tracker{.motion = kReadEveryCycle, .same_wall_m = 0.06}, .drawn_length_m = 0.3, .drawn_sightings = 2};
+  /// door are visible along a short path only. Submaps: each loop that is closed rebuilds the floor.
+  MapParams mapping{.tracker{.motion = kReadEveryCycle, .same_wall_m = 0.06},
+                    .loops{.submap_m = 4},
+                    .drawn_length_m = 0.3,
+                    .drawn_sightings = 2};
   FloorViewParams view;
   LegParams legs;
   double cell_m = 0.05;

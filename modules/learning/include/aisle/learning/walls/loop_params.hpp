@@ -5,7 +5,7 @@
 namespace aisle {
 
 struct LoopParams {
-  double submap_m = 4;            ///< path length of one submap
+  double submap_m = 2;            ///< path length of one submap: a place is recognised when one is complete
   double path_apart_m = 12;       ///< two submaps nearer along the path are no loop
   double reach_floor_m = 0.4;     ///< search radius around the expected place ...
   double reach_per_m = 0.01;      ///< ... plus this much per metre of path between the two ...
