@@ -115,7 +115,9 @@ std::string completions(const CLI::App& program, const std::vector<std::string>&
   std::string lines;
   for (const auto& [word, meaning] : candidates_after(reached, typed)) {
     if (!word.starts_with(typed)) continue;
-    lines += word + (meaning.empty() ? "" : "\t" + meaning) + "\n";
+    lines += word;
+    if (!meaning.empty()) lines += '\t' + meaning;
+    lines += '\n';
   }
   return lines;
 }

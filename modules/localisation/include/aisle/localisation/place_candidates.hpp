@@ -20,7 +20,7 @@ struct PlaceSearchParams {
   int hits = 160;                   ///< of the view, for the search
   int places_max = 50;              ///< with more, the search is cut short
   int nodes_max = 4000000;          ///< likewise
-  int nodes_per_scan = 20000;       ///< that it looks at before it lets the vehicle's cycle go on
+  int nodes_per_scan = 60000;       ///< that it looks at before it lets the vehicle's cycle go on
 
   void describe(FieldList& fields);
 };
