@@ -113,7 +113,6 @@ void add_convert_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("convert", "make a world from a floor plan, from a maze, or at random");
   verb->fallthrough();
   add_examples(*verb, {"aisle convert plan.png --resolution 0.05 --speck 0.3 -o plan.yaml",
-                       "aisle convert plan.pdf --scale-by \"100,100 500,100 12.5 m\" -o plan.yaml",
                        "aisle convert --random 7 --kind office -o building.yaml",
                        "aisle convert map.yaml --building --place home=0,0,0 --keep-out mask.yaml -o "
                        "building.json"});
