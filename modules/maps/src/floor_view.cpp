@@ -194,9 +194,10 @@ std::vector<float> usable_ranges_m(const FloorGrid& floor, const LaserScanner& l
 double occupied_at_m(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad, double reach_m) {
   const Vec2 along = unit(T_map_laser.theta + angle_rad);
   const double step_m = floor.cell_m() / 2;
-  for (double distance_m = 0; distance_m < reach_m; distance_m += step_m) {
-    const FloorCell cell = floor.cell_at(T_map_laser.position() + distance_m * along);
-    if (floor.at(cell) == Floor::kOccupied) return distance_m;
+  const int steps = static_cast<int>(reach_m / step_m);
+  for (int step = 0; step < steps; ++step) {
+    const FloorCell cell = floor.cell_at(T_map_laser.position() + step * step_m * along);
+    if (floor.at(cell) == Floor::kOccupied) return step * step_m;
   }
   return reach_m;
 }
