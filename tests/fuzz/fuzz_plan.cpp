@@ -12,7 +12,8 @@ using namespace aisle;
 
 namespace {
 
-constexpr std::size_t kPixelsMax = 40'000;  // more of them are the same, only slower
+constexpr std::size_t kPixelsMax = 40'000;  // more of them are the same, only slower ...
+constexpr double kWallsMax_m = 200;         // ... and so are longer walls
 
 /// Other kinds are read by OpenCV, librsvg and pdftocairo, whose own fuzzers are better at it.
 bool is_read_by_aisle(std::string_view text) {
@@ -20,6 +21,15 @@ bool is_read_by_aisle(std::string_view text) {
        {"\x89PNG", "\xff\xd8\xff", "RIFF", "BM", "II*", "MM", "P3", "P6", "%PDF"})
     if (text.starts_with(other)) return false;
   return text.find("<svg") == std::string_view::npos;
+}
+
+bool is_small(std::string_view text) {
+  const auto pixels = parse_plan_pixels(text, "input");
+  if (pixels && pixels->image.bytes.size() > kPixelsMax) return false;
+  double walls_m = 0;
+  if (const auto world = parse_wall_segments(text, "input"))
+    for (const WallFace& wall : world->walls) walls_m += wall.floor_edge.length();
+  return walls_m < kWallsMax_m;
 }
 
 /// What exploring asks of a world before it begins.
@@ -34,9 +44,7 @@ void look_around(const World& world) {
 /// A plan becomes a world with a tour, which is written, read again, and looked at as exploring does.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string_view text = fuzz_text(bytes, size);
-  if (!is_read_by_aisle(text)) return 0;
-  const auto pixels = parse_plan_pixels(text, "input");
-  if (pixels && pixels->image.bytes.size() > kPixelsMax) return 0;
+  if (!is_read_by_aisle(text) || !is_small(text)) return 0;
   SilentProgress silent;
   Console console{silent, [](const std::string&) {}};
   ConvertOptions options;

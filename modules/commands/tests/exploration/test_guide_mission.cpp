@@ -222,7 +222,8 @@ TEST(GuideGoal, NoPlaceLiesInAKeepOutZone) {
   building.zones[0].name = "lab";
   EXPECT_THAT(to_string(goal_to(building, "lift").problems()),
               HasSubstr("'lift' lies in the keep-out zone 'lab'"));
-  for (const Vec2& p : patrol_goal(building, 1)->p_map_places) EXPECT_FALSE(contains(building.zones[0], p));
+  const Goal round = *patrol_goal(building, 1);
+  for (const Vec2& p : round.p_map_places) EXPECT_FALSE(contains(building.zones[0], p));
 }
 
 TEST(GuideGoal, EveryRoundOfAPatrolIsAsLongAsTheFirst) {
