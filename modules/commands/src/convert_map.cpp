@@ -86,9 +86,7 @@ Problems furnish(Building& building, const ConvertMapOptions& options, Console& 
   }
   if (Problems problems = check_places(building.places, *building.floor, allowed); !problems.empty())
     return problems;
-  const auto home = std::find_if(building.places.begin(), building.places.end(),
-                                 [](const MapPlace& place) { return place.name == kHomePlace; });
-  building.corridors = trace_corridors(allowed, home->T_map_place.position(), {});
+  building.corridors = trace_corridors(allowed, home_of(building).position(), {});
   if (building.corridors.nodes.empty())
     return {{{"--place"},
              fmt::format("'{}' is where no vehicle can drive: within a metre of it, all "

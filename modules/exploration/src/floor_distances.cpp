@@ -108,9 +108,9 @@ void FloorDistances::go_where_allowed(const KnownFloor& floor, Reached reached, 
                        box_.low.y + static_cast<int>(reached.at / columns)};
   const Vec2 p_map = floor.grid().centre(here);
   for (unsigned step = 0; step < kSteps.size(); ++step) {
-    const double away_rad = std::atan2(kSteps[step].y, kSteps[step].x);
-    const double driven_rad = paths == Paths::kFromStart ? away_rad : away_rad + kPi;
-    if (floor.may_drive(p_map, driven_rad)) go(reached.at, step);
+    const FloorCell away = paths == Paths::kFromStart ? kSteps[step] : kSteps[(step + 4) % kSteps.size()];
+    const double driven_rad = std::atan2(away.y, away.x);
+    if (floor.may_drive({p_map.x(), p_map.y(), driven_rad}, Gear::kForward)) go(reached.at, step);
   }
 }
 

@@ -83,14 +83,13 @@ TEST(FloorDistances, GoTheOtherWayRoundWhereTheFloorIsOneWay) {
       grid.set({x, y}, is_block ? Floor::kOccupied : Floor::kFree);
     }
   }
-  KnownFloor floor(grid);
   const auto at = [&](int x, int y) { return grid.centre(FloorCell{x, y}); };
   FloorDistances free;
-  free.measure(floor, at(4, 2), 0.01, 0);
+  free.measure(KnownFloor(grid), at(4, 2), 0.01, 0);
   const std::vector<Zone> zones = {{.kind = Zone::Kind::kOneWay,
                                     .outline = {at(8, -4), at(16, -4), at(16, 4), at(8, 4)},
                                     .direction_rad = 0}};
-  floor.zone(zones);
+  const KnownFloor floor(grid, FloorClearance(), zones);
   FloorDistances along, against;
   along.measure(floor, at(4, 2), 0.01, 0, FloorDistances::Paths::kFromStart);
   against.measure(floor, at(4, 2), 0.01, 0, FloorDistances::Paths::kToStart);

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "aisle/core/angle.hpp"
-#include "aisle/maps/building.hpp"
 
 namespace aisle {
 namespace {
@@ -66,11 +65,13 @@ double speed_max_mps(std::span<const Zone> zones, const Footprint& footprint, co
   return speed_mps;
 }
 
-const Zone* one_way_against(std::span<const Zone> zones, const Vec2& p_map, double direction_rad,
+const Zone* one_way_against(std::span<const Zone> zones, const Pose2& T_map_vehicle, Gear gear,
                             double off_max_rad) {
+  const double direction_rad = gear == Gear::kForward ? T_map_vehicle.theta : T_map_vehicle.theta + kPi;
   const auto against = std::find_if(zones.begin(), zones.end(), [&](const Zone& zone) {
     return zone.kind == Zone::Kind::kOneWay &&
-           std::abs(wrap_angle(direction_rad - zone.direction_rad)) > off_max_rad && contains(zone, p_map);
+           std::abs(wrap_angle(direction_rad - zone.direction_rad)) > off_max_rad &&
+           contains(zone, T_map_vehicle.position());
   });
   return against == zones.end() ? nullptr : &*against;
 }
@@ -85,12 +86,6 @@ std::vector<Barrier> outlines(std::span<const Zone> zones) {
     }
   }
   return barriers;
-}
-
-std::vector<Barrier> lines_not_crossed(const Building& building) {
-  std::vector<Barrier> lines = outlines(building.zones);
-  lines.insert(lines.end(), building.barriers.begin(), building.barriers.end());
-  return lines;
 }
 
 }  // namespace aisle

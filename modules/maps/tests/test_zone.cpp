@@ -57,10 +57,15 @@ TEST(Zone, IsOneWayForWhoIsInside) {
   Zone zone = l_zone(Zone::Kind::kOneWay);
   zone.direction_rad = 170 * kDegree;
   const std::vector<Zone> zones = {zone};
-  EXPECT_EQ(one_way_against(zones, {0.5, 0.5}, 0, 100 * kDegree), &zones[0]);
-  EXPECT_EQ(one_way_against(zones, {0.5, 0.5}, -170 * kDegree, 100 * kDegree), nullptr) << "20 degrees off";
-  EXPECT_EQ(one_way_against(zones, {0.5, 0.5}, 80 * kDegree, 100 * kDegree), nullptr) << "across";
-  EXPECT_EQ(one_way_against(zones, {2, 2}, 0, 100 * kDegree), nullptr) << "outside";
+  const auto against = [&](const Pose2& T_map_vehicle, Gear gear) {
+    return one_way_against(zones, T_map_vehicle, gear);
+  };
+  EXPECT_EQ(against({0.5, 0.5, 0}, Gear::kForward), &zones[0]);
+  EXPECT_EQ(against({0.5, 0.5, 0}, Gear::kReverse), nullptr) << "backs along it";
+  EXPECT_EQ(against({0.5, 0.5, -170 * kDegree}, Gear::kForward), nullptr) << "20 degrees off";
+  EXPECT_EQ(against({0.5, 0.5, -170 * kDegree}, Gear::kReverse), &zones[0]);
+  EXPECT_EQ(against({0.5, 0.5, 80 * kDegree}, Gear::kForward), nullptr) << "across";
+  EXPECT_EQ(against({2, 2, 0}, Gear::kForward), nullptr) << "outside";
 }
 
 TEST(Zone, ToKeepOutOfHasBarriersAllAround) {

@@ -8,7 +8,6 @@ namespace aisle {
 namespace {
 
 constexpr double kRouteCheckEvery_m = 0.05;
-constexpr double kRouteAgainst_rad = 100 * kDegree;
 
 std::string why_off_limits(const Building& building, std::span<const Barrier> lines, const Path& path,
                            const PathPoint& point, const Footprint& footprint) {
@@ -17,9 +16,8 @@ std::string why_off_limits(const Building& building, std::span<const Barrier> li
     return fmt::format("leads through the {}", words_for(*zone));
   if (const Barrier* met = barrier_met(lines, footprint, T_map))
     return fmt::format("meets a barrier of the building ({})", words_for(met->kind));
-  const bool is_reverse = path.pieces()[point.piece].arc.length_m < 0;
-  const Zone* against = one_way_against(building.zones, T_map.position(),
-                                        is_reverse ? T_map.theta + kPi : T_map.theta, kRouteAgainst_rad);
+  const Gear gear = gear_of(path.pieces()[point.piece].arc.length_m);
+  const Zone* against = one_way_against(building.zones, T_map, gear);
   return against == nullptr ? "" : fmt::format("leads against the {}", words_for(*against));
 }
 

@@ -72,7 +72,7 @@ export function with_barrier(building: Building, kind: Barrier["kind"], from: Po
 
 /**
  * Adds a rectangular zone that was drawn from one corner to the opposite one. A one-way zone is driven along its longer
- * side, the way it was drawn. @throws Error where it has no area
+ * side, the way it was drawn. @throws Error where it has no area, or a slow zone no speed
  */
 export function with_zone(
   building: Building,
@@ -84,7 +84,11 @@ export function with_zone(
   const [width_m, height_m] = [to.x - from.x, to.y - from.y];
   if (Math.min(Math.abs(width_m), Math.abs(height_m)) < 0.05) throw new Error("a zone is at least 5 cm wide");
   const zone: Zone = { kind, outline_m: rectangle(from, to).slice(0, 4).map(pair) };
-  if (kind === "slow") zone.speed_max_mps = speed_max_mps;
+  if (kind === "slow") {
+    if (!(speed_max_mps >= 0.01 && speed_max_mps <= 20))
+      throw new Error("a slow zone's speed is 0.01 to 20 m/s");
+    zone.speed_max_mps = speed_max_mps;
+  }
   if (kind === "one_way") {
     if (Math.abs(width_m) > Math.abs(height_m)) zone.direction_deg = width_m > 0 ? 0 : 180;
     else zone.direction_deg = height_m > 0 ? 90 : -90;

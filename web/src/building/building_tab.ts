@@ -72,7 +72,7 @@ export function building_tab(app: App): Tab {
     type: "number",
     min: 0.01,
     max: 20,
-    step: 0.05,
+    step: 0.01,
     value: 0.2,
     class: "size",
     "aria-label": words.zone_speed,

@@ -3,7 +3,7 @@
 import type { english } from "./english";
 
 export const german: typeof english = {
-  tabs: { drive: "Fahren", maze: "Labyrinth", sessions: "Aufzeichnungen", building: "Gebäude" },
+  tabs: { drive: "Fahren", maze: "Labyrinth", sessions: "Aufnahmen", building: "Gebäude" },
   status: {
     connecting: "Verbinde",
     lost: "Nicht verbunden: verbinde neu",
@@ -54,7 +54,7 @@ export const german: typeof english = {
       explore:
         "Was erkundet ist, bleibt erhalten, wenn es einen Namen hat. Starten Sie neu, um alles zu erkunden.",
       learn: "Lehren Sie die Strecke noch einmal, so dass die Kamera Wände und Türen sieht.",
-      replay: "Die Aufzeichnung ist vielleicht beschädigt; aisle info sagt, was darin ist.",
+      replay: "Die Aufnahme ist vielleicht beschädigt; aisle info sagt, was darin ist.",
     },
   },
   token: {
@@ -181,17 +181,17 @@ export const german: typeof english = {
     goal: (x, y, building) => `x ${x} m, y ${y} m in ${building}`,
   },
   sessions: {
-    title: "Aufzeichnungen",
-    list: "Liste der Aufzeichnungen",
+    title: "Aufnahmen",
+    list: "Liste der Aufnahmen",
     loading: "Lade die Liste",
-    none: "Noch keine Aufzeichnungen: geben Sie einer Fahrt oder Lehrfahrt einen Namen, um sie aufzuzeichnen.",
-    no_match: "Keine Aufzeichnung heißt so.",
+    none: "Noch keine Aufnahmen: geben Sie einer Fahrt oder Lehrfahrt einen Namen, um sie aufzuzeichnen.",
+    no_match: "Keine Aufnahme heißt so.",
     filter: "Suchen",
     columns: ["Name", "Durch", "Strecke", "Aufgezeichnet", "Dauer", "Größe"],
-    choose: "Wählen Sie eine Aufzeichnung.",
+    choose: "Wählen Sie eine Aufnahme.",
     figures: "Werte und Dateien",
     replay: "Wiedergeben",
-    plan: "Plan der Aufzeichnung",
+    plan: "Plan der Aufnahme",
     live: "Es läuft keine Wiedergabe: hier ist das Fahrzeug, wie es jetzt ist.",
     end: "Wiedergabe beenden",
     play: "Abspielen",

@@ -92,6 +92,8 @@ test("Zones are rectangles; one-way ones lead the way they were drawn", () => {
     with_zone(building, "one_way", at(0, 0), to, 0.3).zones?.[0]?.direction_deg;
   assert.deepEqual([at(3, 1), at(-3, 1), at(1, 3), at(1, -3)].map(direction), [0, 180, 90, -90]);
   assert.throws(() => with_zone(building, "keep_out", at(0, 0), at(2, 0.01), 0.3), /at least 5 cm/);
+  for (const speed of [0, 21, NaN])
+    assert.throws(() => with_zone(building, "slow", at(0, 0), at(2, 1), speed), /speed is 0.01 to 20/);
   const drawn = with_zone(building, "keep_out", at(0, 5), at(2, 7), 0.3);
   const edge = nearest_part(drawn, at(2.1, 6), 0.3);
   assert.ok(edge);

@@ -8,18 +8,23 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kZonesMax = 1000, kZoneCornersMax = 1000;
+constexpr std::size_t kZonesMax = 200, kZoneCornersMax = 100;  // all are looked at in every cycle
 constexpr Range kZoneSpeed_mps = {0.01, 20};
 constexpr double kZoneAreaMin_m2 = 1e-4;
 constexpr std::array<std::string_view, 3> kZoneKinds = {"keep_out", "slow", "one_way"};
 
-/// Only what the kind uses is written; reading, the kind is not known yet, and every key is taken.
-JsonFields zone_fields(Zone& zone, bool has_speed, bool has_direction) {
+/// Reading, the kind is not known before the other keys.
+enum class ZoneKeys { kAll, kOfKind };
+
+JsonFields zone_fields(Zone& zone, ZoneKeys keys) {
+  const bool all = keys == ZoneKeys::kAll;
   JsonFields fields = {needed(field::word("kind", zone.kind, kZoneKinds)),
                        needed(field::points("outline_m", zone.outline, kMapCoordinate_m))};
-  if (!zone.name.empty() || (has_speed && has_direction)) fields.push_back(field::text("name", zone.name));
-  if (has_speed) fields.push_back(field::number("speed_max_mps", zone.speed_max_mps, kZoneSpeed_mps));
-  if (has_direction) fields.push_back(field::angle("direction_deg", zone.direction_rad));
+  if (all || !zone.name.empty()) fields.push_back(field::text("name", zone.name));
+  if (all || zone.kind == Zone::Kind::kSlow)
+    fields.push_back(field::number("speed_max_mps", zone.speed_max_mps, kZoneSpeed_mps));
+  if (all || zone.kind == Zone::Kind::kOneWay)
+    fields.push_back(field::angle("direction_deg", zone.direction_rad));
   return fields;
 }
 
@@ -50,7 +55,7 @@ void check_key(const JsonValue& value, const char* key, bool is_of_kind) {
 
 Zone read_zone(const JsonValue& value) {
   Zone zone;
-  if (!read_object(value, zone_fields(zone, true, true))) return zone;
+  if (!read_object(value, zone_fields(zone, ZoneKeys::kAll))) return zone;
   if (const auto outline = value.find("outline_m")) check_outline(zone.outline, *outline);
   check_key(value, "speed_max_mps", zone.kind == Zone::Kind::kSlow);
   check_key(value, "direction_deg", zone.kind == Zone::Kind::kOneWay);
@@ -58,7 +63,7 @@ Zone read_zone(const JsonValue& value) {
 }
 
 std::string zone_json(Zone& zone) {
-  return object_json(zone_fields(zone, zone.kind == Zone::Kind::kSlow, zone.kind == Zone::Kind::kOneWay));
+  return object_json(zone_fields(zone, ZoneKeys::kOfKind));
 }
 
 }  // namespace

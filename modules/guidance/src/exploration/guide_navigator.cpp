@@ -26,9 +26,7 @@ KnownFloor floor_of(const Building& building, const LegParams& legs) {
   if (!building.floor) throw std::invalid_argument("a building to be guided in needs its floor");
   FloorClearance clearance(legs);
   clearance.bar(lines_not_crossed(building), building.floor->cell_m());
-  KnownFloor floor(*building.floor, std::move(clearance));
-  floor.zone(building.zones);
-  return floor;
+  return KnownFloor(*building.floor, std::move(clearance), building.zones);
 }
 
 }  // namespace

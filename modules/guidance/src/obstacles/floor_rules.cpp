@@ -51,8 +51,7 @@ std::string FloorRules::why_forbidden(const Pose2& T_map_vehicle, double speed_m
   if (const Barrier* line = barrier_met(lines_, vehicle_.footprint, T_map_vehicle))
     return fmt::format("{} ahead", words_for(line->kind));
   if (speed_mps == 0) return "";
-  const double direction_rad = speed_mps < 0 ? T_map_vehicle.theta + kPi : T_map_vehicle.theta;
-  const Zone* against = one_way_against(zones_, T_map_vehicle.position(), direction_rad, kAgainst_rad);
+  const Zone* against = one_way_against(zones_, T_map_vehicle, gear_of(speed_mps), kAgainst_rad);
   return against == nullptr ? "" : fmt::format("would drive against the {}", words_for(*against));
 }
 

@@ -294,12 +294,10 @@ std::optional<double> CarSearch::least_clearance_m(const KnownFloor& floor, cons
 bool CarSearch::may_drive(const KnownFloor& floor, const Pose2& T_map_from,
                           std::span<const Pose2> T_from_passed, const Arc& arc) {
   if (!floor.is_one_way_somewhere() || arc.length_m == 0) return true;
-  const auto may_pass = [&](const Pose2& T_map) {
-    return floor.may_drive(T_map.position(), arc.length_m < 0 ? T_map.theta + kPi : T_map.theta);
-  };
-  return may_pass(T_map_from) &&
+  const Gear gear = gear_of(arc.length_m);
+  return floor.may_drive(T_map_from, gear) &&
          std::all_of(T_from_passed.begin(), T_from_passed.end(),
-                     [&](const Pose2& T_from) { return may_pass(T_map_from * T_from); });
+                     [&](const Pose2& T_from) { return floor.may_drive(T_map_from * T_from, gear); });
 }
 
 double CarSearch::cost_of(const Arc& arc, const Arc& before, bool is_first, double clearance_m) const {

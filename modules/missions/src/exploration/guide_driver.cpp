@@ -126,12 +126,6 @@ Problems check_guidable(const Building& building, const VehicleDescription& vehi
   return problems;
 }
 
-Pose2 home_of(const Building& building) {
-  const auto home = std::find_if(building.places.begin(), building.places.end(),
-                                 [](const MapPlace& place) { return place.name == kHomePlace; });
-  return home == building.places.end() ? Pose2{} : home->T_map_place;
-}
-
 Result<Goal> goal_to(const Building& building, const std::string& place) {
   const auto p_map = find_place(building, place);
   if (!p_map) return p_map.problems();

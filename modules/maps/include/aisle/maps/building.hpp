@@ -42,6 +42,9 @@ struct Building {
   std::optional<FloorGrid> floor;  ///< as it was seen
 };
 
+/// The pose of the place "home"; without one, the origin of `map`.
+Pose2 home_of(const Building& building);
+
 /// All lines that a vehicle must not cross: the barriers, and the outlines of keep-out zones.
 std::vector<Barrier> lines_not_crossed(const Building& building);
 

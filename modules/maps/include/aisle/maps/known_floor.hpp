@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "aisle/core/angle.hpp"
 #include "aisle/maps/floor_clearance.hpp"
 #include "aisle/maps/zone.hpp"
 
@@ -17,13 +16,11 @@ namespace aisle {
 class KnownFloor {
  public:
   /// @param clearance  not updated yet; has the legs and barriers that it is to take into account
-  explicit KnownFloor(FloorGrid grid = FloorGrid(), FloorClearance clearance = FloorClearance())
+  /// @param zones  of these, the one-way ones count: keep-out zones are barriers to the clearance
+  explicit KnownFloor(FloorGrid grid = FloorGrid(), FloorClearance clearance = FloorClearance(),
+                      std::span<const Zone> zones = {})
       : grid_(std::move(grid)), clearance_(std::move(clearance)) {
     clearance_.update(grid_, grid_.known());
-  }
-
-  /// Of these zones, the one-way ones count; keep-out zones are barriers to the clearance.
-  void zone(std::span<const Zone> zones) {
     std::copy_if(zones.begin(), zones.end(), std::back_inserter(one_way_),
                  [](const Zone& zone) { return zone.kind == Zone::Kind::kOneWay; });
   }
@@ -35,9 +32,9 @@ class KnownFloor {
   bool is_free(FloorCell cell) const { return grid_.at(cell) == Floor::kFree && !clearance_.is_barred(cell); }
 
   bool is_one_way_somewhere() const { return !one_way_.empty(); }
-  /// Whether a path may lead over a point in a direction, which a person's one-way zones may forbid.
-  bool may_drive(const Vec2& p_map, double direction_rad) const {
-    return one_way_against(one_way_, p_map, direction_rad, kOffOneWayMax_rad) == nullptr;
+  /// Whether a path may lead over a pose in a gear, which a person's one-way zones may forbid.
+  bool may_drive(const Pose2& T_map_vehicle, Gear gear) const {
+    return one_way_against(one_way_, T_map_vehicle, gear) == nullptr;
   }
 
   /// Changes the grid and then, once, the clearance.
@@ -51,8 +48,6 @@ class KnownFloor {
   }
 
  private:
-  static constexpr double kOffOneWayMax_rad = 100 * kDegree;  ///< crossing a one-way zone is not against it
-
   FloorGrid grid_;
   FloorClearance clearance_;
   std::vector<Zone> one_way_;

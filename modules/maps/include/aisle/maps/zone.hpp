@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/maps/barrier.hpp"
+#include "aisle/vehicle/gear.hpp"
 
 namespace aisle {
 
@@ -38,10 +40,13 @@ bool overlaps(const Zone& zone, const Footprint& footprint, const Pose2& T_map_v
 /// The greatest speed that the zones allow a vehicle at this pose; infinite: they do not limit it.
 double speed_max_mps(std::span<const Zone> zones, const Footprint& footprint, const Pose2& T_map_vehicle);
 
-/// The one-way zone at a point in which driving in this direction of `map` is driving against it, more than
-/// `off_max_rad` away from its own direction; nullptr: none.
-const Zone* one_way_against(std::span<const Zone> zones, const Vec2& p_map, double direction_rad,
-                            double off_max_rad);
+/// Crossing a one-way zone is not driving against it: as far as this a path may lead off its direction.
+inline constexpr double kOffOneWayMax_rad = 100 * kDegree;
+
+/// The one-way zone around a vehicle's reference point that it drives against in this gear, more than
+/// `off_max_rad` away from the zone's own direction; nullptr: none.
+const Zone* one_way_against(std::span<const Zone> zones, const Pose2& T_map_vehicle, Gear gear,
+                            double off_max_rad = kOffOneWayMax_rad);
 
 /// The edges of all keep-out zones, as barriers.
 std::vector<Barrier> outlines(std::span<const Zone> zones);

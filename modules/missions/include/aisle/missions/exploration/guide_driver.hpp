@@ -37,9 +37,6 @@ Result<Goal> goal_to(const Building& building, const std::string& place);
 /// Goal along all corridors, `rounds` times, and home again.
 Result<Goal> patrol_goal(const Building& building, int rounds);
 
-/// Where missions in a building begin: its place "home", else the map's origin.
-Pose2 home_of(const Building& building);
-
 /// Why goals in a building cannot be driven to: it has no walls, floor or corridors, the vehicle no scanner.
 Problems check_guidable(const Building& building, const VehicleDescription& vehicle);
 
