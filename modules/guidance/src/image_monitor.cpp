@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-
-#include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
 namespace {
@@ -29,19 +26,14 @@ void ImageMonitorParams::describe(FieldList& fields) {
   fields.real("bright_level", bright_level, {150, 256}, "mean grey level above which it is washed out");
 }
 
-ImageMonitor::ImageMonitor(const ImageMonitorParams& params, const VehicleDescription& vehicle,
-                           const CameraDescription& camera)
-    : params_(params), vehicle_(vehicle), camera_(camera) {}
-
-const CameraImage* ImageMonitor::look(const Observation& observation) {
-  move(observation);
+const CameraImage* ImageMonitor::look(const Observation& observation, const OdometryHistory& odometry) {
   const auto found = std::find_if(observation.images.begin(), observation.images.end(),
                                   [&](const CameraImage& image) { return image.camera == camera_.name; });
   if (found == observation.images.end() || !found->pixels) {
     if (good_stamp_s_ && observation.stamp_s - *good_stamp_s_ > camera_.period_s) what_ = "sends no images";
     return nullptr;
   }
-  if (const char* fault = fault_of(*found, observation.stamp_s)) {
+  if (const char* fault = fault_of(*found, odometry)) {
     what_ = fault;
     return nullptr;
   }
@@ -49,40 +41,24 @@ const CameraImage* ImageMonitor::look(const Observation& observation) {
   return &*found;
 }
 
-void ImageMonitor::move(const Observation& observation) {
-  const Pose2 T_odom_before = poses_.empty() ? Pose2{} : poses_.back().T_odom_vehicle;
-  poses_.push_back({observation.stamp_s, T_odom_before * odometry_step(vehicle_, observation.odometry)});
-  const double oldest_s = observation.stamp_s - params_.age_max_s;
-  while (poses_.size() > 1 && poses_[1].stamp_s <= oldest_s) poses_.pop_front();
-}
-
-/// Where the vehicle was when an image was taken, at the end of the cycle before: a late image shows less
-/// motion than the odometry has reported by then.
-Pose2 ImageMonitor::T_odom_taken(const CameraImage& image) const {
-  const auto after = std::find_if(poses_.begin() + 1, poses_.end(),
-                                  [&](const StampedPose& pose) { return pose.stamp_s > image.stamp_s; });
-  return std::prev(after)->T_odom_vehicle;
-}
-
 /// Whether the image is still the same although the vehicle has moved. A vehicle that stops because of that
 /// stays where it is, so this stays true until another image comes.
-bool ImageMonitor::is_frozen(const CameraImage& image) {
-  const Pose2 T_odom_vehicle = T_odom_taken(image);
+bool ImageMonitor::is_frozen(const CameraImage& image, const Pose2& T_odom_taken) {
   if (shown_ && *shown_ == *image.pixels) {
-    const Pose2 T = between(T_odom_shown_, T_odom_vehicle);
+    const Pose2 T = between(T_odom_shown_, T_odom_taken);
     return T.position().norm() > kShownMotion_m || std::abs(T.theta) > kShownTurn_rad;
   }
   shown_ = image.pixels;
-  T_odom_shown_ = T_odom_vehicle;
+  T_odom_shown_ = T_odom_taken;
   return false;
 }
 
 /// nullptr if there is none.
-const char* ImageMonitor::fault_of(const CameraImage& image, double now_s) {
-  if (now_s - image.stamp_s > params_.age_max_s) return "is late";
+const char* ImageMonitor::fault_of(const CameraImage& image, const OdometryHistory& odometry) {
+  if (odometry.stamp_s() - image.stamp_s > params_.age_max_s) return "is late";
   if (image.pixels->width_px != camera_.width_px || image.pixels->height_px != camera_.height_px)
     return "sends images of another size";
-  if (is_frozen(image)) return "is frozen";
+  if (is_frozen(image, odometry.T_odom_at(image.stamp_s))) return "is frozen";
   const double level = mean_level(*image.pixels);
   if (level < params_.dark_level) return "sees no light";
   return level > params_.bright_level ? "is dazzled" : nullptr;

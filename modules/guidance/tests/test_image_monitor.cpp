@@ -24,11 +24,12 @@ class ImageMonitorTest : public testing::Test {
     std::fill(image->bytes.begin(), image->bytes.end(), static_cast<std::uint8_t>(grey));
     const Observation observation{
         .stamp_s = stamp_s, .images = {{"front", stamp_s - latency_s, image}}, .odometry = motion};
-    return monitor().look(observation) != nullptr;
+    odometry_.move(observation);
+    return monitor().look(observation, odometry_) != nullptr;
   }
   std::string trouble() { return monitor().trouble(stamp_s).value_or(""); }
   ImageMonitor& monitor() {
-    if (!monitor_) monitor_.emplace(ImageMonitorParams{}, vehicle, vehicle.cameras.front());
+    if (!monitor_) monitor_.emplace(ImageMonitorParams{}, vehicle.cameras.front());
     return *monitor_;
   }
 
@@ -38,6 +39,7 @@ class ImageMonitorTest : public testing::Test {
   double stamp_s = 0;
 
  private:
+  OdometryHistory odometry_{vehicle};
   std::optional<ImageMonitor> monitor_;
 };
 

@@ -8,6 +8,7 @@
 #include "aisle/core/random.hpp"
 #include "aisle/core/square.hpp"
 #include "aisle/learning/pose_filter.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -222,6 +223,69 @@ TEST(PoseFilter, ManyPointsWithOneTiltErrorDoNotMakeItSurerThanTheTilt) {
   const double along_m2 = square(kPrior_m * kTilt_m) / (square(kPrior_m) + square(kTilt_m));
   EXPECT_NEAR(filter.covariance()(0, 0), along_m2, 0.02 * along_m2);
   EXPECT_LT(std::sqrt(filter.covariance()(1, 1)), 0.005);
+}
+
+/// The vehicle's true poses and readings on a bend, and what is seen of the points from each.
+struct Bend {
+  std::vector<OdometryReading> readings;
+  std::vector<std::vector<SeenPoint>> seen;
+};
+
+Bend drive_bend(int cycles) {
+  Random random(5);
+  Bend bend;
+  Pose2 T_map_vehicle{1, 0, 0};
+  for (int i = 0; i < cycles; ++i) {
+    const FrontSteeredMotion motion{.distance_m = 0.04, .steering_rad = (i < cycles / 2 ? 6 : -6) * kDegree};
+    T_map_vehicle = T_map_vehicle * odometry_step(cart(), motion);
+    bend.readings.push_back(
+        FrontSteeredMotion{.distance_m = 1.02 * motion.distance_m, .steering_rad = motion.steering_rad});
+    bend.seen.push_back(look(T_map_vehicle, 0.05, &random));
+  }
+  return bend;
+}
+
+TEST(PoseFilter, AnImageThatComesLateTellsAsMuchAsInTime) {
+  constexpr int kLate = 4;
+  const Bend bend = drive_bend(100);
+  PoseFilter in_time(cart(), about({1, 0, 0}, 0.1, 2 * kDegree)), late = in_time;
+  for (std::size_t i = 0; i < bend.readings.size(); ++i) {
+    in_time.predict(bend.readings[i]);
+    in_time.update(bend.seen[i], in_time.pose());
+    late.predict(bend.readings[i]);
+    if (i < kLate) continue;
+    ASSERT_TRUE(late.go_back(kLate));
+    late.update(bend.seen[i - kLate], late.pose());
+    late.catch_up();
+  }
+  for (std::size_t i = bend.readings.size() - kLate; i < bend.readings.size(); ++i) {
+    ASSERT_TRUE(late.go_back(static_cast<int>(bend.readings.size() - 1 - i)));
+    late.update(bend.seen[i], late.pose());
+    late.catch_up();
+  }
+  EXPECT_THAT(late.first_pose(), PoseNear(in_time.first_pose(), 1e-3, 1e-3));
+  EXPECT_THAT(late.pose(), PoseNear(in_time.pose(), 1e-3, 1e-3));
+  EXPECT_TRUE(late.covariance().isApprox(in_time.covariance(), 1e-2));
+}
+
+TEST(PoseFilter, DoesNotGoBackBehindWhereItWasPlacedNorBeyondWhatItRemembers) {
+  PoseFilter filter(cart(), about({}, 0.1, 1 * kDegree));
+  const auto drive = [&](int cycles) {
+    for (int i = 0; i < cycles; ++i) filter.predict(FrontSteeredMotion{.distance_m = 0.04});
+  };
+  drive(3);
+  filter.place(about({5, 1, 0}, 0.1, 1 * kDegree));
+  EXPECT_FALSE(filter.go_back(1));
+  EXPECT_THAT(filter.pose(), PoseNear(Pose2{5, 1, 0}, 0, 0));
+  drive(2);
+  EXPECT_FALSE(filter.go_back(3));
+  ASSERT_TRUE(filter.go_back(2));
+  EXPECT_THAT(filter.pose(), PoseNear(Pose2{5, 1, 0}, 1e-12, 1e-12));
+  filter.catch_up();
+  EXPECT_THAT(filter.pose(), PoseNear(Pose2{5.08, 1, 0}, 1e-12, 1e-12));
+  drive(1000);
+  EXPECT_FALSE(filter.go_back(100));
+  EXPECT_TRUE(filter.go_back(50));
 }
 
 }  // namespace

@@ -168,6 +168,7 @@ void LandmarkNavigator::begin(State state) {
 void LandmarkNavigator::place(const UncertainPose2& T_map_vehicle) {
   localiser_.place(T_map_vehicle,
                    walls_around(building_->wall_directions, T_map_vehicle.mean.position(), kWallsReach_m));
+  T_map_looked_ = localiser_.pose();
 }
 
 LandmarkFix LandmarkNavigator::fix() const {
@@ -176,32 +177,38 @@ LandmarkFix LandmarkNavigator::fix() const {
           state_ == State::kLost || state_ == State::kReturning};
 }
 
-/// Updates pose and sightings by odometry, then by the image.
+/// Updates pose and sightings by odometry, then by the image, which was seen from where the vehicle was when
+/// it was taken.
 void LandmarkNavigator::locate(const Observation& observation) {
-  const Pose2 T_map_before = localiser_.pose();
   localiser_.predict(observation.odometry);
-  const Pose2 T_before_now = between(T_map_before, localiser_.pose());
-  scenes_.move(T_before_now);
-  stripes_.move(T_before_now);
-  continuity_.move(T_before_now);
-  recognition_.move(T_before_now);
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
   const CameraImage* image = guard_.look(observation);
-  has_looked_ = image != nullptr && image == present_image(observation, camera_, vehicle_.cycle_s);
+  has_looked_ = image != nullptr && localiser_.go_back(guard_.odometry().cycles_since(image->stamp_s));
   if (has_looked_) {
-    sightings_ = detector_.detect(*image->pixels);
-    edges_on_floor_.clear();
-    for (const FloorEdge& edge : detector_.floor_edges()) edges_on_floor_.push_back(edge.on_floor);
-    if (state_ == State::kLooking || state_ == State::kFollowing)
-      match_ = localiser_.correct(building_->landmarks, sightings_, edges_on_floor_);
-    unmatched_.look(sightings_, match_ == LandmarkMatch::kMatched, localiser_.pose(),
-                    (localiser_.pose().position() - T_map_before.position()).norm());
-    check_for_kidnapping();
+    look_at(*image->pixels);
+    T_map_looked_ = localiser_.pose();
+    localiser_.catch_up();
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;
   stamp_s_ = observation.stamp_s;
+}
+
+void LandmarkNavigator::look_at(const Image& image) {
+  const Pose2 T_looked_now = between(T_map_looked_, localiser_.pose());
+  scenes_.move(T_looked_now);
+  stripes_.move(T_looked_now);
+  continuity_.move(T_looked_now);
+  recognition_.move(T_looked_now);
+  sightings_ = detector_.detect(image);
+  edges_on_floor_.clear();
+  for (const FloorEdge& edge : detector_.floor_edges()) edges_on_floor_.push_back(edge.on_floor);
+  if (state_ == State::kLooking || state_ == State::kFollowing)
+    match_ = localiser_.correct(building_->landmarks, sightings_, edges_on_floor_);
+  unmatched_.look(sightings_, match_ == LandmarkMatch::kMatched, localiser_.pose(),
+                  (localiser_.pose().position() - T_map_looked_.position()).norm());
+  check_for_kidnapping();
 }
 
 /// Lines come and go, so an image that fits only a little neither raises nor dispels the suspicion.

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "aisle/vehicle/odometry_step.hpp"
-
 namespace aisle {
 namespace {
 
@@ -37,9 +35,9 @@ void ObstacleGuardParams::describe(FieldList& fields) {
 
 ObstacleGuard::ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGuardParams& params,
                              const CameraDescription* camera)
-    : vehicle_(vehicle), params_(params), memory_(params.memory) {
+    : vehicle_(vehicle), params_(params), odometry_(vehicle), memory_(params.memory) {
   if (camera == nullptr) return;
-  monitor_.emplace(params.images, vehicle, *camera);
+  monitor_.emplace(params.images, *camera);
   if (vehicle.laser_markers) {
     stripe_.emplace(params.stripes, camera->intrinsics, camera->mount, camera->width_px, camera->height_px,
                     vehicle.laser_markers->height_m);
@@ -47,30 +45,17 @@ ObstacleGuard::ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGu
 }
 
 const CameraImage* ObstacleGuard::look(const Observation& observation) {
-  move(observation);
+  odometry_.move(observation);
   p_vehicle_scanned_.clear();
   if (observation.scan && vehicle_.scanner) take_scan(*observation.scan);
-  const CameraImage* image = monitor_ ? monitor_->look(observation) : nullptr;
+  const CameraImage* image = monitor_ ? monitor_->look(observation, odometry_) : nullptr;
   if (image != nullptr && stripe_) read_stripe(*image);
   return image;
 }
 
-void ObstacleGuard::move(const Observation& observation) {
-  now_ = {observation.stamp_s, now_.T_odom_vehicle * odometry_step(vehicle_, observation.odometry)};
-  poses_[moves_++ % poses_.size()] = now_;
-}
-
-/// The remembered pose nearest in time.
-ObstacleGuard::StampedPose ObstacleGuard::taken_at(double stamp_s) const {
-  const auto end = poses_.begin() + static_cast<std::ptrdiff_t>(std::min(moves_, poses_.size()));
-  const auto nearest = std::min_element(poses_.begin(), end, [&](const StampedPose& a, const StampedPose& b) {
-    return std::abs(a.stamp_s - stamp_s) < std::abs(b.stamp_s - stamp_s);
-  });
-  return {stamp_s, nearest->T_odom_vehicle};
-}
-
 void ObstacleGuard::read_stripe(const CameraImage& image) {
-  sight_.taken = taken_at(image.stamp_s);
+  sight_.stamp_s = image.stamp_s;
+  sight_.T_odom_taken = odometry_.T_odom_at(image.stamp_s);
   stripe_->find(as_grey(*image.pixels, grey_));
   sight_.p_vehicle_returns.clear();
   stripe_->append_lit(sight_.p_vehicle_returns);
@@ -97,13 +82,13 @@ Guarded ObstacleGuard::allow(const Command& requested, const PathAhead& path) {
     return guarded;
   }
   if (monitor_) {
-    if (const auto trouble = monitor_->trouble(now_.stamp_s)) return waiting(guarded, *trouble);
+    if (const auto trouble = monitor_->trouble(odometry_.stamp_s())) return waiting(guarded, *trouble);
   }
   guarded.free_ahead_m = free_ahead_m(path);
   const double speed_mps = speed_before(guarded.free_ahead_m);
   if (requested.speed_mps > 0 && speed_mps <= 0)
     return waiting(guarded, fmt::format("obstacle ahead, {:.1f} m away", guarded.free_ahead_m));
-  if (waiting_from_s_ && now_.stamp_s - free_from_s_ < params_.free_again_s) {
+  if (waiting_from_s_ && odometry_.stamp_s() - free_from_s_ < params_.free_again_s) {
     guarded.command.speed_mps = 0;
     guarded.state = GuardState::kWaiting;
     guarded.why = "the path has just become free";
@@ -114,24 +99,24 @@ Guarded ObstacleGuard::allow(const Command& requested, const PathAhead& path) {
     guarded.command.speed_mps = speed_mps;
     if (guarded.free_ahead_m < params_.reach_m) guarded.why = "slower: something is ahead";
   }
-  if (lit_s_ && now_.stamp_s - *lit_s_ > params_.unlit_s)
+  if (lit_s_ && odometry_.stamp_s() - *lit_s_ > params_.unlit_s)
     guarded.command.speed_mps = std::min(guarded.command.speed_mps, params_.unlit_speed_mps);
   return guarded;
 }
 
 void ObstacleGuard::remember_what_is_on(const PathAhead& path) {
   if (!std::exchange(sight_.is_new, false)) return;
-  const Pose2 T_now_taken = between(now_.T_odom_vehicle, sight_.taken.T_odom_vehicle);
+  const Pose2 T_now_taken = between(odometry_.T_odom_vehicle(), sight_.T_odom_taken);
   p_vehicle_returns_on_path_ = sight_.p_vehicle_returns;
   std::erase_if(p_vehicle_returns_on_path_, [&](const Vec2& p_vehicle) {
     return !path_to(T_now_taken * p_vehicle, path, vehicle_.footprint, params_.margin_m);
   });
-  memory_.see(p_vehicle_returns_on_path_, *stripe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
+  memory_.see(p_vehicle_returns_on_path_, *stripe_, sight_.T_odom_taken, sight_.stamp_s);
 }
 
-void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {
+void ObstacleGuard::see_floor(std::span<const SensedSegment> edges, double stamp_s) {
   floor_.is_used = floor_.is_new = true;
-  floor_.taken = now_;
+  floor_.T_odom_taken = odometry_.T_odom_at(stamp_s);
   floor_.p_vehicle_end.clear();
   for (const SensedSegment& edge : edges) {
     const int steps = std::max(1, static_cast<int>(edge.segment.length() / kFloorStep_m));
@@ -145,8 +130,9 @@ void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {
 /// Keeps those ends of the floor that are in the path and within reach.
 void ObstacleGuard::judge_floor(const PathAhead& path) {
   if (!std::exchange(floor_.is_new, false)) return;
+  const Pose2 T_now_taken = between(odometry_.T_odom_vehicle(), floor_.T_odom_taken);
   std::erase_if(floor_.p_vehicle_end, [&](const Vec2& p_vehicle) {
-    const auto path_m = path_to(p_vehicle, path, vehicle_.footprint, params_.margin_m);
+    const auto path_m = path_to(T_now_taken * p_vehicle, path, vehicle_.footprint, params_.margin_m);
     return !path_m || *path_m > params_.reach_m;
   });
   floor_.sightings = floor_.p_vehicle_end.empty() ? 0 : floor_.sightings + 1;
@@ -158,10 +144,10 @@ double ObstacleGuard::free_ahead_m(const PathAhead& path) {
     free_m =
         std::min(free_m, path_to(p_vehicle, path, vehicle_.footprint, params_.margin_m).value_or(free_m));
   };
-  for (const Vec2& p_vehicle : memory_.places(now_.T_odom_vehicle)) shorten(p_vehicle);
+  for (const Vec2& p_vehicle : memory_.places(odometry_.T_odom_vehicle())) shorten(p_vehicle);
   for (const Vec2& p_vehicle : p_vehicle_scanned_) shorten(p_vehicle);
   if (floor_.sightings >= params_.memory.sightings_min) {
-    const Pose2 T_now_taken = between(now_.T_odom_vehicle, floor_.taken.T_odom_vehicle);
+    const Pose2 T_now_taken = between(odometry_.T_odom_vehicle(), floor_.T_odom_taken);
     for (const Vec2& p_vehicle : floor_.p_vehicle_end) shorten(T_now_taken * p_vehicle);
   }
   return free_m;
@@ -185,9 +171,9 @@ Command ObstacleGuard::limited(const Command& requested) const {
 }
 
 Guarded ObstacleGuard::waiting(Guarded guarded, const std::string& why) {
-  if (!waiting_from_s_) waiting_from_s_ = now_.stamp_s;
-  free_from_s_ = now_.stamp_s;
-  const bool too_long = now_.stamp_s - *waiting_from_s_ > params_.wait_max_s;
+  if (!waiting_from_s_) waiting_from_s_ = odometry_.stamp_s();
+  free_from_s_ = odometry_.stamp_s();
+  const bool too_long = odometry_.stamp_s() - *waiting_from_s_ > params_.wait_max_s;
   guarded.command = {.steering_rad = guarded.command.steering_rad};
   guarded.state = too_long ? GuardState::kBlocked : GuardState::kWaiting;
   guarded.why = why;

@@ -95,12 +95,13 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       vehicle_(vehicle),
       route_(room_route(std::move(route))),
       view_(first_view(params, vehicle)),
-      monitor_(params.images, vehicle, room_camera(vehicle, kFirstCamera)),
+      odometry_(vehicle, route_.path.at(from_m).T_map_path),
+      monitor_(params.images, room_camera(vehicle, kFirstCamera)),
       edges_(kReach_m),
       place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),
       stop_views_(params.stop_views, route_.room->views),
-      T_odom_vehicle_(route_.path.at(from_m).T_map_path),
+      T_odom_vehicle_(odometry_.T_odom_vehicle()),
       brightness_(route_.room->brightness),
       T_odom_seen_(T_odom_vehicle_),
       taught_place_(params.taught_place, vehicle, route_.path),
@@ -120,7 +121,8 @@ Decision RoomNavigator::step(const Observation& observation) {
 }
 
 Decision RoomNavigator::decide(const Observation& observation) {
-  T_odom_vehicle_ = T_odom_vehicle_ * odometry_step(vehicle_, observation.odometry);
+  odometry_.move(observation);
+  T_odom_vehicle_ = odometry_.T_odom_vehicle();
   steering_rad_ = steering_rad_of(observation.odometry);
   remember_driven();
   if (state_ != State::kBackingOff) progress_.advance(pose());
@@ -148,17 +150,17 @@ Decision RoomNavigator::decide(const Observation& observation) {
 }
 
 void RoomNavigator::look(const Observation& observation) {
-  const CameraImage* image = monitor_.look(observation);
+  const CameraImage* image = monitor_.look(observation, odometry_);
   if (image == nullptr) return;
   const RouteSight& sight = view_.look(*image->pixels);
   stop_views_.take(*image->pixels, left_to_end_m());
   is_brightness_off_ = !is_route_bright_as_learned();
   dead_end_images_ = is_at_dead_end() ? dead_end_images_ + 1 : 0;
   if (is_brightness_off_) return;
-  T_odom_seen_ = T_odom_vehicle_;
+  T_odom_seen_ = odometry_.T_odom_at(image->stamp_s);
   // Beyond L96: the learned brightness follows slow changes of light.
   brightness_.grey += params_.brightness_gain * (sight.patch_grey - brightness_.grey);
-  edges_.take(view_, sight, T_odom_vehicle_, observation.stamp_s);
+  edges_.take(view_, sight, T_odom_seen_, image->stamp_s);
   find_place();
 }
 
@@ -229,7 +231,8 @@ double RoomNavigator::requested_steering_rad() const {
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
   const double share = turns ? params_.turning_middle_share : params_.middle_share;
-  return share * steering_to(*middle) + (1 - share) * taught_rad;
+  const Vec2 p_vehicle_middle = between(T_odom_vehicle_, T_odom_seen_) * *middle;
+  return share * steering_to(p_vehicle_middle) + (1 - share) * taught_rad;
 }
 
 Decision RoomNavigator::follow(double now_s) {

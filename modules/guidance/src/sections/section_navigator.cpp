@@ -74,12 +74,13 @@ void SectionNavigator::locate(const Observation& observation) {
   localiser_.predict(observation.odometry);
   is_guided_ = false;
   const CameraImage* image = guard_.look(observation);
-  if (image == nullptr || image != present_image(observation, camera_, vehicle_.cycle_s)) return;
+  if (image == nullptr || !localiser_.go_back(guard_.odometry().cycles_since(image->stamp_s))) return;
   edges_ = detector_.detect(*image->pixels);
   edges_on_floor_.clear();
   for (const FloorEdge& edge : edges_) edges_on_floor_.push_back(edge.on_floor);
-  guard_.see_floor(edges_on_floor_);
+  guard_.see_floor(edges_on_floor_, image->stamp_s);
   localiser_.correct(edges_on_floor_, progress_.point().piece);
+  localiser_.catch_up();
   is_guided_ = localiser_.is_guided();
 }
 

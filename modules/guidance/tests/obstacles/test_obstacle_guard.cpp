@@ -76,7 +76,7 @@ TEST(ObstacleGuard, StopsWhereTheFloorEndsOnThePathOnceTwoImagesShowIt) {
   ObstacleGuard guard(blind, {}, nullptr);
   auto speed_mps = [&, stamp_s = 0.0](const SensedSegment& edge) mutable {
     guard.look({.stamp_s = stamp_s += 0.1, .odometry = FrontSteeredMotion{}});
-    guard.see_floor({&edge, 1});
+    guard.see_floor({&edge, 1}, stamp_s);
     return guard.allow(kAhead, straight()).command.speed_mps;
   };
   EXPECT_EQ(speed_mps(wall_at(1.5, 1, 1)), 0.8);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +7,7 @@
 #include "aisle/core/image.hpp"
 #include "aisle/core/parameters.hpp"
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/odometry_history.hpp"
 #include "aisle/vehicle/observation.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
@@ -26,33 +26,25 @@ struct ImageMonitorParams {
 /// same again.
 class ImageMonitor {
  public:
-  /// @param vehicle  whose odometry is read
-  ImageMonitor(const ImageMonitorParams& params, const VehicleDescription& vehicle,
-               const CameraDescription& camera);
+  ImageMonitor(const ImageMonitorParams& params, const CameraDescription& camera)
+      : params_(params), camera_(camera) {}
 
   /// Once a cycle, with every observation.
-  /// @return the camera's image if this observation has one that can be trusted; nullptr otherwise. Points
-  ///         into the observation
-  const CameraImage* look(const Observation& observation);
+  /// @param odometry  up to this observation
+  /// @return the camera's image if this observation has one that can be trusted; nullptr otherwise. It may be
+  ///         up to `age_max_s` old, and shows what was seen from `odometry.T_odom_at(its stamp)`. Points into
+  ///         the observation
+  const CameraImage* look(const Observation& observation, const OdometryHistory& odometry);
 
   /// What is wrong now, as text for the user: "camera front is frozen"; nullopt if nothing is.
   std::optional<std::string> trouble(double now_s) const;
 
  private:
-  struct StampedPose {
-    double stamp_s = 0;
-    Pose2 T_odom_vehicle;
-  };
-
-  void move(const Observation& observation);
-  Pose2 T_odom_taken(const CameraImage& image) const;
-  bool is_frozen(const CameraImage& image);
-  const char* fault_of(const CameraImage& image, double now_s);
+  bool is_frozen(const CameraImage& image, const Pose2& T_odom_taken);
+  const char* fault_of(const CameraImage& image, const OdometryHistory& odometry);
 
   ImageMonitorParams params_;
-  VehicleDescription vehicle_;
   CameraDescription camera_;
-  std::deque<StampedPose> poses_;  ///< as far back as images are taken; the newest last
   std::shared_ptr<const Image> shown_;
   Pose2 T_odom_shown_;                  ///< where the vehicle was when that was first shown
   std::optional<double> good_stamp_s_;  ///< of the last good image

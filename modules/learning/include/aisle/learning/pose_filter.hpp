@@ -1,6 +1,8 @@
 #pragma once
 /// The vehicle's pose from odometry and observations, with a consistent covariance.
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include "aisle/geometry/pose2.hpp"
@@ -48,13 +50,19 @@ class PoseFilter {
   /// @return whether it was accepted: within three standard deviations
   bool correct(double off, const Vec3& by_pose, double sigma);
 
+  /// Goes back by some predictions, to take in what was seen then; `catch_up` predicts them again. What was
+  /// corrected in between is forgotten: observations come in the order in which they were made.
+  /// @return false, and nothing happens, if it was placed since, or remembers no more
+  bool go_back(int predictions);
+  void catch_up();
+
   /// Moves the estimate to a new pose; the odometry errors are kept.
   void place(const UncertainPose2& T_map_vehicle);
 
-  const Pose2& pose() const { return T_map_vehicle_; }
+  const Pose2& pose() const { return now_.T_map_vehicle; }
   /// The first pose, given all observations since then (fixed-point smoothing).
-  const Pose2& first_pose() const { return T_map_first_; }
-  Mat3 covariance() const { return covariance_.topLeftCorner<3, 3>(); }
+  const Pose2& first_pose() const { return now_.T_map_first; }
+  Mat3 covariance() const { return now_.covariance.topLeftCorner<3, 3>(); }
 
  private:
   using Vec6 = Eigen::Matrix<double, 6, 1>;
@@ -70,16 +78,29 @@ class PoseFilter {
     double squared_distance = 0;
   };
 
+  struct Estimate {
+    Pose2 T_map_vehicle;
+    Vec3 odometry_errors = Vec3::Zero();  ///< path scale, turn scale, turn per metre [1/m]
+    Mat6 covariance = Mat6::Zero();       ///< of (x, y, theta, odometry errors)
+    Pose2 T_map_first;
+    Mat36 first_with_state = Mat36::Zero();  ///< covariance of the first pose with the current state
+  };
+  struct Prediction {
+    Estimate before;
+    OdometryReading reading;
+  };
+  static constexpr std::size_t kRemembered = 64;
+
+  Prediction& remembered(std::size_t prediction) { return recent_[prediction % kRemembered]; }
   Fit fit(std::span<const SeenPoint> points, const Pose2& guess) const;
 
   VehicleDescription vehicle_;
   Vec3 forgotten_per_m_;
   Vec3 steady_variances_ = Vec3::Zero();  ///< of the odometry errors, before anything was seen
-  Pose2 T_map_vehicle_;
-  Vec3 odometry_errors_ = Vec3::Zero();  ///< path scale, turn scale, turn per metre [1/m]
-  Mat6 covariance_ = Mat6::Zero();       ///< of (x, y, theta, odometry errors)
-  Pose2 T_map_first_;
-  Mat36 first_with_state_ = Mat36::Zero();  ///< covariance of the first pose with the current state
+  Estimate now_;
+  std::array<Prediction, kRemembered> recent_;
+  std::size_t predictions_ = 0;  ///< since it was placed
+  std::size_t back_by_ = 0;
 };
 
 }  // namespace aisle

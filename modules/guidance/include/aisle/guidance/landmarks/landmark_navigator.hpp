@@ -89,6 +89,7 @@ class LandmarkNavigator final : public Navigator {
 
   void place(const UncertainPose2& T_map_vehicle);
   void locate(const Observation& observation);
+  void look_at(const Image& image);
   void check_for_kidnapping();
   std::string why_lost() const;
   void begin(State state);
@@ -123,6 +124,7 @@ class LandmarkNavigator final : public Navigator {
   ContinuityMonitor continuity_;
   ExpectationMonitor expectations_;
   RecognitionMonitor recognition_;
+  Pose2 T_map_looked_;  ///< where the last image was taken, as that corrected it
   std::vector<LandmarkSighting> sightings_;
   std::vector<SensedSegment> edges_on_floor_;
   State state_ = State::kLooking;

@@ -1,7 +1,6 @@
 #pragma once
 /// Keeps any navigator from driving into an obstacle.
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,39 +65,37 @@ class ObstacleGuard {
   /// @return the camera's image if this observation has one that can be trusted (ImageMonitor), else nullptr
   const CameraImage* look(const Observation& observation);
 
+  const OdometryHistory& odometry() const { return odometry_; }
+
   /// Laser returns in the last image [vehicle frame], in the path or not.
   const std::vector<Vec2>& p_vehicle_returns() const { return sight_.p_vehicle_returns; }
 
   /// Takes in where the floor ends in the image that `look` has just returned. An obstacle seen this way
   /// counts from the second image in a row on, and only while it is in view, so `gap_m` must keep it there.
-  void see_floor(std::span<const SensedSegment> edges);
+  /// @param stamp_s  of the image
+  void see_floor(std::span<const SensedSegment> edges, double stamp_s);
 
   /// Limits a navigator's command to what is safe.
   /// @param path  where `requested` leads to; forwards
   Guarded allow(const Command& requested, const PathAhead& path);
 
  private:
-  struct StampedPose {
-    double stamp_s = 0;
-    Pose2 T_odom_vehicle;
-  };
   /// Laser light in the last image.
   struct Sight {
-    StampedPose taken;
+    double stamp_s = 0;
+    Pose2 T_odom_taken;
     std::vector<Vec2> p_vehicle_returns;
     bool is_new = false;
   };
   /// Ends of the floor in the last image.
   struct FloorSight {
-    StampedPose taken;
+    Pose2 T_odom_taken;
     std::vector<Vec2> p_vehicle_end;
     int sightings = 0;  ///< images in a row that show one in the path
     bool is_new = false;
     bool is_used = false;  ///< the navigator passes the floor's edges in
   };
 
-  void move(const Observation& observation);
-  StampedPose taken_at(double stamp_s) const;
   void read_stripe(const CameraImage& image);
   void take_scan(const RangeScan& scan);
   void remember_what_is_on(const PathAhead& path);
@@ -110,13 +107,11 @@ class ObstacleGuard {
 
   VehicleDescription vehicle_;
   ObstacleGuardParams params_;
+  OdometryHistory odometry_;
   std::optional<ImageMonitor> monitor_;
   std::optional<StripeScan> stripe_;
   Image grey_;  ///< conversion buffer for coloured images
   ObstacleMemory memory_;
-  std::array<StampedPose, 16> poses_;
-  std::size_t moves_ = 0;
-  StampedPose now_;
   Sight sight_;
   std::vector<Vec2> p_vehicle_returns_on_path_;
   std::vector<Vec2> p_vehicle_scanned_;

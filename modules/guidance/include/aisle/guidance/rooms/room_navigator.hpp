@@ -155,6 +155,7 @@ class RoomNavigator final : public Navigator {
   VehicleDescription vehicle_;
   Route route_;
   RouteView view_;
+  OdometryHistory odometry_;
   ImageMonitor monitor_;
   EdgeMemory edges_;
   EdgePlace place_;
@@ -168,7 +169,7 @@ class RoomNavigator final : public Navigator {
   Pose2 T_odom_vehicle_;
   RouteBrightness brightness_;
   bool is_brightness_off_ = false;  ///< the brightness ahead does not match the route's
-  Pose2 T_odom_seen_;               ///< where it last matched
+  Pose2 T_odom_seen_;               ///< where the last image was taken that matched
   State state_ = State::kFollowing;
   int dead_end_images_ = 0;  ///< images in a row that showed one
   std::optional<double> stopped_s_;

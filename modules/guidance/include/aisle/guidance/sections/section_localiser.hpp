@@ -39,6 +39,10 @@ class SectionLocaliser {
 
   void predict(const OdometryReading& reading) { filter_.predict(reading); }
 
+  /// As those of PoseFilter: around `correct`, for an image that was taken some predictions ago.
+  bool go_back(int predictions) { return filter_.go_back(predictions); }
+  void catch_up() { filter_.catch_up(); }
+
   /// Takes in what one image shows.
   /// @param edges  in base_link
   /// @param piece  index of the path's piece on which the vehicle is

@@ -59,6 +59,10 @@ class LandmarkLocaliser {
 
   void predict(const OdometryReading& reading);
 
+  /// As those of PoseFilter: around `correct`, for an image that was taken some predictions ago.
+  bool go_back(int predictions) { return filter_.go_back(predictions); }
+  void catch_up() { filter_.catch_up(); }
+
   /// Finds the displacement of the sightings against the map within the window that the pose's uncertainty
   /// leaves open (MWGHT), pairs sightings with landmarks there, and updates the filter with the pairs. The
   /// cost does not depend on the size of the map. A second image from the same place has the errors of the
