@@ -139,6 +139,10 @@ Decision LandmarkNavigator::step(const Observation& observation) {
   }
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
+  if (const auto off_by = odometry_.off_by())
+    return {.status = NavigatorStatus::kFailed,
+            .state = "slipping",
+            .why = fmt::format("the wheels count {:.1f} times the path that the camera sees", *off_by)};
   if (state_ == State::kLooking) return look_around(observation.stamp_s);
   if (was_kidnapped_ && (state_ == State::kFollowing || state_ == State::kReturning)) {
     interrupted_ = state_;
@@ -169,6 +173,7 @@ void LandmarkNavigator::place(const UncertainPose2& T_map_vehicle) {
   localiser_.place(T_map_vehicle,
                    walls_around(building_->wall_directions, T_map_vehicle.mean.position(), kWallsReach_m));
   T_map_looked_ = localiser_.pose();
+  odometry_.start();
 }
 
 LandmarkFix LandmarkNavigator::fix() const {
@@ -188,6 +193,8 @@ void LandmarkNavigator::locate(const Observation& observation) {
   if (has_looked_) {
     look_at(*image->pixels);
     T_map_looked_ = localiser_.pose();
+    if (match_ == LandmarkMatch::kMatched)
+      odometry_.look(guard_.odometry().T_odom_at(image->stamp_s), T_map_looked_);
     localiser_.catch_up();
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)

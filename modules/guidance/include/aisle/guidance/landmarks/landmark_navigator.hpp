@@ -12,6 +12,7 @@
 #include "aisle/guidance/exploration/explorer_navigator.hpp"
 #include "aisle/guidance/landmarks/continuity_monitor.hpp"
 #include "aisle/guidance/landmarks/expectation_monitor.hpp"
+#include "aisle/guidance/landmarks/odometry_monitor.hpp"
 #include "aisle/guidance/landmarks/path_to_route.hpp"
 #include "aisle/guidance/landmarks/place_consistency.hpp"
 #include "aisle/guidance/landmarks/recognition_monitor.hpp"
@@ -124,6 +125,7 @@ class LandmarkNavigator final : public Navigator {
   ContinuityMonitor continuity_;
   ExpectationMonitor expectations_;
   RecognitionMonitor recognition_;
+  OdometryMonitor odometry_;
   Pose2 T_map_looked_;  ///< where the last image was taken, as that corrected it
   std::vector<LandmarkSighting> sightings_;
   std::vector<SensedSegment> edges_on_floor_;
