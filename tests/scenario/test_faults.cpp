@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "workplace.hpp"
 
@@ -30,6 +32,12 @@ class Faults : public testing::Test {
   static void TearDownTestSuite() { directory_.reset(); }
 
   static std::string at(const std::string& name) { return (directory_->path() / name).string(); }
+
+  static std::string scenario_with(const std::vector<std::string>& events) {
+    std::string text = "format: aisle.scenario\nversion: 1\nname: faults\nevents:\n";
+    for (const std::string& event : events) text += "  - " + event + "\n";
+    return text;
+  }
 
   ProgramRun drive(const std::string& scenario, const Arguments& more = {}) const {
     Arguments arguments = {"navigate", at("learned/building.json"),
@@ -62,6 +70,31 @@ class Faults : public testing::Test {
 TEST_F(Faults, TheVehicleArrivesAlthoughItsCameraFailsForAWhile) {
   for (const char* scenario : {"camera-frozen", "camera-dark", "camera-dropped", "camera-late"})
     expect_arrival(scenario);
+}
+
+/// They are used where the vehicle was when they were taken: unused, a steering wheel off its zero would
+/// drive it into the wall.
+TEST_F(Faults, ImagesThatAlwaysComeLateKeepTheVehicleOnItsPathNevertheless) {
+  write_bytes(at("late.yaml"), scenario_with({"{from_s: 4, camera: {fault: late, delay_s: 0.4}}",
+                                              "{from_s: 4, steering: {bias_deg: 6}}"}));
+  const ProgramRun run = drive(at("late.yaml"));
+  EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["collisions"], 0);
+  EXPECT_LT(figures["tracking"]["max_m"], 0.15);
+}
+
+TEST_F(Faults, WheelsThatCountTwiceOrHalfThePathStopTheVehicle) {
+  for (const char* spin : {"1.0", "-0.5"}) {
+    write_bytes(at("wheels.yaml"), scenario_with({"{from_s: 4, slip: {spin: " + std::string(spin) + "}}"}));
+    const ProgramRun run = drive(at("wheels.yaml"));
+    EXPECT_EQ(run.exit_code, 1) << spin << run.err;
+    const auto figures = run.json()["figures"];
+    EXPECT_EQ(figures["state"], "slipping") << spin;
+    EXPECT_THAT(figures["why"].get<std::string>(), HasSubstr("times the path that the camera sees")) << spin;
+    EXPECT_EQ(figures["collisions"], 0) << spin;
+    EXPECT_LT(figures["distance_m"], 8) << spin;
+  }
 }
 
 TEST_F(Faults, TheVehicleArrivesThroughChangesOfLightAndWithoutItsLineLasers) {

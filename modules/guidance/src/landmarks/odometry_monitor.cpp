@@ -9,14 +9,10 @@ namespace {
 
 constexpr double kCompared_m = 1.5;     // path that counts: wheels may slip for less
 constexpr double kComparedMin_m = 1.0;  // of it, before the two can be told apart
+constexpr double kJump_m = 0.8;         // a difference this large at once: the vehicle was lifted
 constexpr double kOffMax = 1.6;         // between them; a slip of 0.8 m by half its length makes 1.3
 
 }  // namespace
-
-void OdometryMonitor::start() {
-  last_.reset();
-  counted_m_ = shown_m_ = 0;
-}
 
 void OdometryMonitor::look(const Pose2& T_odom_vehicle, const Pose2& T_map_vehicle) {
   const auto before = std::exchange(last_, Poses{T_odom_vehicle, T_map_vehicle});
@@ -25,6 +21,10 @@ void OdometryMonitor::look(const Pose2& T_odom_vehicle, const Pose2& T_map_vehic
   const double shown_m = between(before->T_map_vehicle, T_map_vehicle).x;
   const double kept = std::exp(-(std::abs(counted_m) + std::abs(shown_m)) / 2 / kCompared_m);
   const double forward = std::copysign(1, counted_m);
+  if (std::abs(shown_m - counted_m) > kJump_m) {
+    counted_m_ = shown_m_ = 0;
+    return;
+  }
   counted_m_ = kept * counted_m_ + forward * counted_m;
   shown_m_ = kept * shown_m_ + forward * shown_m;
 }

@@ -23,6 +23,13 @@ class Driven {
     }
   }
 
+  void drive_blind(double path_m, double counted_per_m) {
+    true_m_ += path_m;
+    T_map_vehicle_ = T_map_vehicle_ * Pose2{path_m, 0, 0};
+    T_odom_vehicle_ = T_odom_vehicle_ * Pose2{path_m * counted_per_m, 0, 0};
+  }
+  void lift(const Pose2& T_before_after) { T_map_vehicle_ = T_map_vehicle_ * T_before_after; }
+
   OdometryMonitor monitor;
 
  private:
@@ -58,13 +65,22 @@ TEST(OdometryMonitor, NoticesWheelsThatSpinWhileTheVehicleStands) {
   EXPECT_TRUE(driven.monitor.off_by().has_value());
 }
 
-TEST(OdometryMonitor, ComparesNothingAfterABeginning) {
+TEST(OdometryMonitor, BeginsAnewWhereTheVehicleWasLifted) {
   Driven driven;
-  driven.drive(5, 2);
-  driven.monitor.start();
+  driven.drive(5, 1);
+  driven.lift({0.9, 0, 0});
+  driven.drive(5, 1);
+  driven.lift({-6, 1, 0});
+  driven.drive(5, 1);
   EXPECT_THAT(driven.monitor.off_by(), Eq(std::nullopt));
-  driven.drive(0.5, 2);
-  EXPECT_THAT(driven.monitor.off_by(), Eq(std::nullopt));
+}
+
+TEST(OdometryMonitor, ComparesAcrossAPathOnWhichNothingMatched) {
+  Driven driven;
+  driven.drive(2, 1);
+  driven.drive_blind(1.5, 0.5);
+  driven.drive(0.1, 0.5);
+  EXPECT_THAT(driven.monitor.off_by(), Optional(DoubleNear(0.55, 0.1)));
 }
 
 }  // namespace

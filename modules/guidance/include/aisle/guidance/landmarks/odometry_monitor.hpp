@@ -11,10 +11,8 @@ namespace aisle {
 /// again mislead all that goes by odometry: obstacles that are out of view, stopping paths, bridging.
 class OdometryMonitor {
  public:
-  /// Forgets what it has compared.
-  void start();
-
-  /// The vehicle's pose by odometry and on the map, when an image that matches the map was taken.
+  /// The vehicle's pose by odometry and on the map, where an image matched the map, or where it has
+  /// relocalised. A jump that wheels do not explain was a kidnapping: the comparison begins anew.
   void look(const Pose2& T_odom_vehicle, const Pose2& T_map_vehicle);
 
   /// How many times the path that the map shows the wheels count, if that is too far from 1.
