@@ -130,12 +130,13 @@ Decision RoomNavigator::decide(const Observation& observation) {
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
   if (const auto trouble = monitor_.trouble(observation.stamp_s); trouble || !sight()) {
-    if (!stopped_s_) stopped_s_ = observation.stamp_s;
-    const bool is_lasting = observation.stamp_s - *stopped_s_ > params_.blind_max_s;
+    if (!blind_s_) blind_s_ = observation.stamp_s;
+    const bool is_lasting = observation.stamp_s - *blind_s_ > params_.blind_max_s;
     return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
             .state = "blind",
             .why = trouble.value_or("no image yet")};
   }
+  blind_s_.reset();
   if (frame_ && left_m() < params_.frame_within_m) look_for_frame(observation);
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
   if (state_ == State::kBackingIntoFrame) return back_into_frame(observation.stamp_s);
