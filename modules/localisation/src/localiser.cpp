@@ -14,6 +14,13 @@ Mat3 covariance_of(const Mat3& information) {
   return (information + kWeak * Mat3::Identity()).inverse();
 }
 
+/// Poses that explain less than `explained_min` are never looked at. Where one of them could still rival the
+/// best place, that place stands alone only because nobody looked.
+bool were_all_rivals_sought(const PlaceCandidates& places, const SurfaceView& view,
+                            const PlaceSearchParams& params) {
+  return places.misfit_max_m() <= (1 - params.explained_min) * view.surface_m();
+}
+
 }  // namespace
 
 const char* name_of(LocaliserState state) {
@@ -100,17 +107,15 @@ bool Localiser::is_time_to_judge() const {
 
 void Localiser::take_found_places() {
   places_ = search_->places();
-  knows_all_ = search_->knows_all();
-  const bool fits_nowhere =
-      search_->is_complete() && places_.empty() && search_->view_m() >= params_.not_here_view_m;
+  knows_all_ = search_->is_complete();
+  const bool fits_nowhere = knows_all_ && places_.empty() && search_->view_m() >= params_.not_here_view_m;
   if (fits_nowhere && state_ != LocaliserState::kLost) state_ = LocaliserState::kNotHere;
   T_map_leader_.reset();
   places_.carry(T_begun_now_);
   search_.reset();
 }
 
-/// Where the places are by what is seen now; those that it does not fit are dropped, unless the best one fits
-/// hardly better.
+/// Where the places are by what is seen now; those that it does not fit are dropped.
 void Localiser::look_again(const SurfaceView& view) {
   judged_path_m_ = view_.path_m();
   judged_turned_rad_ = view_.turned_rad();
@@ -118,7 +123,6 @@ void Localiser::look_again(const SurfaceView& view) {
   for (const PlaceCandidate& place : places_.all()) {
     if (const auto settled = settle(field_, view, place.T_map_vehicle, params_.search)) left.add(*settled);
   }
-  left.drop_unfit();
   places_ = std::move(left);
   knows_all_ = knows_all_ && !places_.empty();
 }
@@ -131,8 +135,7 @@ std::optional<PlaceCandidate> Localiser::told_place(const SurfaceView& view) {
     const Pose2 off = between(*T_map_hint_, place.T_map_vehicle);
     if (off.position().norm() < params_.hint_m && std::abs(off.theta) < params_.hint_rad) meant.add(place);
   };
-  const auto place = settle(field_, view, *T_map_hint_, params_.search);
-  if (place && place->fit.explained_share() >= params_.search.explained_min) add_if_meant(*place);
+  if (const auto place = settle(field_, view, *T_map_hint_, params_.search)) add_if_meant(*place);
   std::for_each(places_.all().begin(), places_.all().end(), add_if_meant);
   if (!meant.empty() && meant.all().front().fit.misfit_m <= places_.misfit_max_m())
     return meant.all().front();
@@ -153,7 +156,11 @@ std::optional<PlaceCandidate> Localiser::confirmed_place() {
 
 void Localiser::judge(const SurfaceView& view) {
   auto place = told_place(view);
-  if (!place) place = confirmed_place();
+  if (!were_all_rivals_sought(places_, view, params_.search)) {
+    T_map_leader_.reset();
+  } else if (!place) {
+    place = confirmed_place();
+  }
   if (place) {
     believe(*place);
   } else if (!places_.empty()) {

@@ -33,8 +33,9 @@ std::optional<PlaceCandidate> settle(const SurfaceField& field, const SurfaceVie
   const SurfaceAlignment laid =
       align_to_surfaces(field, view.hits, view.beams.front().p_laser, T_map_guess, Mat3::Zero());
   if (!field.can_stand(laid.T_map_vehicle.position())) return std::nullopt;
-  return PlaceCandidate{laid.T_map_vehicle, laid.information,
-                        fit_of(field, view.beams, view.piece_m, laid.T_map_vehicle, params.fit)};
+  const ViewFit fit = fit_of(field, view.beams, view.piece_m, laid.T_map_vehicle, params.fit);
+  if (fit.explained_share() < params.explained_min) return std::nullopt;
+  return PlaceCandidate{laid.T_map_vehicle, laid.information, fit};
 }
 
 bool is_same_place(const Pose2& a, const Pose2& b, const PlaceSearchParams& params) {
@@ -53,13 +54,6 @@ void PlaceCandidates::add(const PlaceCandidate& place) {
   if (known != places_.end() && !is_better(place, *known)) return;
   if (known != places_.end()) places_.erase(known);
   places_.insert(std::upper_bound(places_.begin(), places_.end(), place, is_better), place);
-}
-
-void PlaceCandidates::drop_unfit() {
-  const double most_m = misfit_max_m();
-  std::erase_if(places_, [&](const PlaceCandidate& place) {
-    return place.fit.explained_share() < params_.explained_min && place.fit.misfit_m > most_m;
-  });
 }
 
 void PlaceCandidates::carry(const Pose2& T_last_now) {

@@ -72,18 +72,11 @@ bool PlaceSearch::examine(const Pose2& T_map_guess) {
       align_to_surfaces(field_, some_hits_, view_.beams.front().p_laser, T_map_guess, Mat3::Zero());
   if (rough.near_share < explained_min() - kRough) return true;
   const auto place = settle(field_, view_, rough.T_map_vehicle, params_);
-  if (place && place->fit.explained_share() >= params_.explained_min &&
-      place->fit.misfit_m <= places_.misfit_max_m()) {
+  if (place && place->fit.misfit_m <= places_.misfit_max_m()) {
     places_.add(*place);
     places_.drop_beaten();
   }
   return true;
-}
-
-/// Poses that explain less than `explained_min` are never looked at. Where one of them could still rival the
-/// best place, that place stands alone only because nobody looked.
-bool PlaceSearch::knows_all() const {
-  return is_complete() && places_.misfit_max_m() <= (1 - params_.explained_min) * view_.surface_m();
 }
 
 /// A pose that explains less of the view is no rival of the best.

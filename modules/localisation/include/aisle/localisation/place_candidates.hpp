@@ -44,8 +44,7 @@ struct PlaceCandidate {
   ViewFit fit;
 };
 
-/// The place at which a pose settles on the building's surfaces, however well the view fits there.
-/// @return none: no vehicle can stand there
+/// The place at which a pose settles on the building's surfaces. @return none: the view does not fit there
 std::optional<PlaceCandidate> settle(const SurfaceField& field, const SurfaceView& view,
                                      const Pose2& T_map_guess, const PlaceSearchParams& params);
 
@@ -60,8 +59,6 @@ class PlaceCandidates {
   /// Of two at the same place the better one stays.
   void add(const PlaceCandidate& place);
   void drop_beaten() { places_.resize(rivals().size()); }
-  /// Drops those that explain less than `explained_min` and are clearly worse than the best.
-  void drop_unfit();
   /// The vehicle has moved.
   void carry(const Pose2& T_last_now);
 

@@ -21,11 +21,8 @@ class PlaceSearch {
 
   /// Searches on, for a slice of `nodes_per_scan`. @return whether it has ended
   bool advance();
-  /// It has ended, and no other pose explains `explained_min` of the view: every one was looked at.
+  /// It has ended, and no other place fits: every pose was looked at.
   bool is_complete() const { return has_ended_ && !search_.is_cut_short(); }
-  /// It is complete, and no pose that it need not look at could rival the best: the vehicle is at one of
-  /// `places()`.
-  bool knows_all() const;
   /// Those found so far that are not clearly worse than the best.
   const PlaceCandidates& places() const { return places_; }
   double view_m() const { return view_.surface_m(); }
