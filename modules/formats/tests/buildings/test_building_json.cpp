@@ -206,7 +206,7 @@ TEST(BuildingJson, ZonesWithoutSenseAreRefused) {
   EXPECT_THAT(refused(R"("kind": "keep_out", "outline_m": [[0, 0], [2, 0], [2, 2]], "speed_max_mps": 1)"),
               HasSubstr("zones[0].speed_max_mps: means nothing in a zone of this kind"));
   EXPECT_THAT(refused(R"("kind": "keep_out", "outline_m": [[0, 0], [2, 0]])"),
-              HasSubstr("zones[0].outline_m: must have 3 to 1000 corners"));
+              HasSubstr("zones[0].outline_m: must have 3 to 100 corners"));
   EXPECT_THAT(refused(R"("kind": "keep_out", "outline_m": [[0, 0], [2, 0], [4, 0]])"),
               HasSubstr("zones[0].outline_m: encloses no area"));
   EXPECT_THAT(refused(R"("kind": "moat", "outline_m": [[0, 0], [2, 0], [2, 2]])"),

@@ -297,7 +297,7 @@ Decision LandmarkNavigator::relocalise(const Observation& observation) {
 /// Drives on if the route leads on from there in the direction of its heading; else returns to its route.
 Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation& observation) {
   place(about(T_map_vehicle, kFoundSigma_m, kFoundSigma_rad));
-  odometry_.look(guard_.odometry().T_odom_vehicle(), T_map_vehicle);
+  odometry_.relocalise(guard_.odometry().T_odom_vehicle(), T_map_vehicle);
   if (progress_.find(T_map_vehicle, params_.off_route_max_m)) {
     go_on(State::kFollowing);
     return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};

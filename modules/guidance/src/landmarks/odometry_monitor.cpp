@@ -21,12 +21,16 @@ void OdometryMonitor::look(const Pose2& T_odom_vehicle, const Pose2& T_map_vehic
   const double shown_m = between(before->T_map_vehicle, T_map_vehicle).x;
   const double kept = std::exp(-(std::abs(counted_m) + std::abs(shown_m)) / 2 / kCompared_m);
   const double forward = std::copysign(1, counted_m);
-  if (std::abs(shown_m - counted_m) > kJump_m) {
-    counted_m_ = shown_m_ = 0;
-    return;
-  }
   counted_m_ = kept * counted_m_ + forward * counted_m;
   shown_m_ = kept * shown_m_ + forward * shown_m;
+}
+
+void OdometryMonitor::relocalise(const Pose2& T_odom_vehicle, const Pose2& T_map_vehicle) {
+  const bool was_kidnapped = !last_ || std::abs(between(last_->T_odom_vehicle, T_odom_vehicle).x -
+                                                between(last_->T_map_vehicle, T_map_vehicle).x) > kJump_m;
+  if (!was_kidnapped) return look(T_odom_vehicle, T_map_vehicle);
+  last_ = Poses{T_odom_vehicle, T_map_vehicle};
+  counted_m_ = shown_m_ = 0;
 }
 
 std::optional<double> OdometryMonitor::off_by() const {

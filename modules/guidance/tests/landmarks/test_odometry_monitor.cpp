@@ -28,7 +28,10 @@ class Driven {
     T_map_vehicle_ = T_map_vehicle_ * Pose2{path_m, 0, 0};
     T_odom_vehicle_ = T_odom_vehicle_ * Pose2{path_m * counted_per_m, 0, 0};
   }
-  void lift(const Pose2& T_before_after) { T_map_vehicle_ = T_map_vehicle_ * T_before_after; }
+  void lift(const Pose2& T_before_after) {
+    T_map_vehicle_ = T_map_vehicle_ * T_before_after;
+    monitor.relocalise(T_odom_vehicle_, T_map_vehicle_);
+  }
 
   OdometryMonitor monitor;
 

@@ -11,9 +11,12 @@ namespace aisle {
 /// again mislead all that goes by odometry: obstacles that are out of view, stopping paths, bridging.
 class OdometryMonitor {
  public:
-  /// The vehicle's pose by odometry and on the map, where an image matched the map, or where it has
-  /// relocalised. A jump that wheels do not explain was a kidnapping: the comparison begins anew.
+  /// The vehicle's pose by odometry and on the map, where an image matched the map.
   void look(const Pose2& T_odom_vehicle, const Pose2& T_map_vehicle);
+
+  /// The same, where it has relocalised. Farther off than wheels explain, it was kidnapped: the comparison
+  /// begins anew.
+  void relocalise(const Pose2& T_odom_vehicle, const Pose2& T_map_vehicle);
 
   /// How many times the path that the map shows the wheels count, if that is too far from 1.
   std::optional<double> off_by() const;

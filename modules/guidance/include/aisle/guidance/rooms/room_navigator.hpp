@@ -171,7 +171,7 @@ class RoomNavigator final : public Navigator {
   bool is_brightness_off_ = false;  ///< the brightness ahead does not match the route's
   Pose2 T_odom_seen_;               ///< where the last image was taken that matched
   State state_ = State::kFollowing;
-  int dead_end_images_ = 0;  ///< images in a row that showed one
+  int dead_end_images_ = 0;        ///< images in a row that showed one
   std::optional<double> blind_s_;  ///< since when it has had no good image
   std::optional<double> stopped_s_;
   Pose2 T_odom_stopped_;
