@@ -84,6 +84,19 @@ TEST_F(Faults, ImagesThatAlwaysComeLateKeepTheVehicleOnItsPathNevertheless) {
   EXPECT_LT(figures["tracking"]["max_m"], 0.15);
 }
 
+TEST_F(Faults, ARunWhoseImagesAlwaysCameLateIsLearnedFrom) {
+  write_bytes(at("late.yaml"), scenario_with({"{camera: {fault: late, delay_s: 0.4}}"}));
+  const ProgramRun driven = run_aisle({"drive", at("crossings.yaml"), "--operator", "scripted", "--faults",
+                                       at("late.yaml"), "--out", at("driven_late")});
+  ASSERT_EQ(driven.exit_code, 0) << driven.err;
+  const ProgramRun learned = run_aisle({"learn", at("driven_late"), "--out", at("learned_late")});
+  ASSERT_EQ(learned.exit_code, 0) << learned.err;
+  const ProgramRun run = run_aisle(
+      {"navigate", at("learned_late/building.json"), "--world", "crossings", "--speed", "0.5", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  EXPECT_EQ(run.json()["figures"]["collisions"], 0);
+}
+
 TEST_F(Faults, WheelsThatCountHalfThePathStopTheVehicle) {
   write_bytes(at("wheels.yaml"), scenario_with({"{from_s: 4, slip: {spin: -0.5}}"}));
   const ProgramRun run = drive(at("wheels.yaml"));

@@ -11,10 +11,10 @@ namespace aisle {
 
 void RoomNavigator::remember_driven() {
   constexpr double kApart_m = 0.1;
-  const auto far_m = [&](const Pose2& T_odom) { return between(T_odom, T_odom_vehicle_).position().norm(); };
+  const auto far_m = [&](const Pose2& T_odom) { return between(T_odom, T_odom_vehicle()).position().norm(); };
   if (!T_odom_driven_.empty() && far_m(T_odom_driven_.back()) < kApart_m) return;
   std::erase_if(T_odom_driven_, [&](const Pose2& T_odom) { return far_m(T_odom) > kReach_m; });
-  T_odom_driven_.push_back(T_odom_vehicle_);
+  T_odom_driven_.push_back(T_odom_vehicle());
 }
 
 /// The taught floor, and where the vehicle has driven in this run.
@@ -29,7 +29,7 @@ void RoomNavigator::learn_floor_behind() {
 
 /// Obstacles by this run's images and by teaching, and the limit of the known floor.
 std::vector<Vec2> RoomNavigator::standing_behind() const {
-  std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  std::vector<Vec2> around = edges_.around(T_odom_vehicle());
   const Pose2 T_vehicle_map = pose().inverse();
   for (const Vec2& p : place_.taught().around(pose().position(), kReach_m))
     around.push_back(T_vehicle_map * p);
@@ -44,7 +44,7 @@ SteeringChoice RoomNavigator::choose_steering_behind(double requested_rad) const
 }
 
 void RoomNavigator::begin_to_back_off() {
-  T_odom_stopped_ = T_odom_vehicle_;
+  T_odom_stopped_ = T_odom_vehicle();
   learn_floor_behind();
   path_back_ = choose_path_back();
   state_ = State::kBackingOff;
@@ -79,7 +79,7 @@ SteeringChoice RoomNavigator::choose_path_back() const {
 }
 
 Decision RoomNavigator::back_off(double now_s) {
-  const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
+  const double backed_m = (T_odom_vehicle().position() - T_odom_stopped_.position()).norm();
   if (backed_m >= std::min(params_.back_off_m, path_back_.free_m - params_.stop_free_m)) {
     state_ = State::kFollowing;
     stopped_s_ = now_s;

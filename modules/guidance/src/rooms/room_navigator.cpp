@@ -101,9 +101,8 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),
       stop_views_(params.stop_views, route_.room->views),
-      T_odom_vehicle_(odometry_.T_odom_vehicle()),
       brightness_(route_.room->brightness),
-      T_odom_seen_(T_odom_vehicle_),
+      T_odom_seen_(odometry_.T_odom_vehicle()),
       taught_place_(params.taught_place, vehicle, route_.path),
       pattern_share_(share_with_edges_on_path(route_.path, route_.room->edges, vehicle.footprint)),
       rules_(std::move(rules)) {
@@ -122,7 +121,6 @@ Decision RoomNavigator::step(const Observation& observation) {
 
 Decision RoomNavigator::decide(const Observation& observation) {
   odometry_.move(observation);
-  T_odom_vehicle_ = odometry_.T_odom_vehicle();
   steering_rad_ = steering_rad_of(observation.odometry);
   remember_driven();
   if (state_ != State::kBackingOff) progress_.advance(pose());
@@ -144,7 +142,7 @@ Decision RoomNavigator::decide(const Observation& observation) {
   if (state_ == State::kLeavingPlace) return leave_place();
   if (state_ == State::kFollowing && is_on_path_back()) begin_path_back();
   if (state_ == State::kBackingBetweenTurnings) {
-    corner_backing_->look(observation, T_odom_vehicle_);
+    corner_backing_->look(observation, T_odom_vehicle());
     return back_between_turnings();
   }
   return follow(observation.stamp_s);
@@ -174,21 +172,21 @@ bool RoomNavigator::is_route_bright_as_learned() const {
 /// the vehicle remembers where the path leads.
 bool RoomNavigator::knows_path_ahead() const {
   if (!is_brightness_off_) return true;
-  const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  const std::vector<Vec2> around = edges_.around(T_odom_vehicle());
   const bool is_hidden =
       std::any_of(around.begin(), around.end(), [&](const Vec2& p) { return view_.is_before_patch_end(p); });
-  return is_hidden && between(T_odom_seen_, T_odom_vehicle_).position().norm() < params_.hidden_max_m;
+  return is_hidden && between(T_odom_seen_, T_odom_vehicle()).position().norm() < params_.hidden_max_m;
 }
 
 /// Near the end of its path, also if it started there, the vehicle knows its pose roughly, and the edges
 /// improve it. Farther from the end, objects that were moved since teaching would do more harm.
 void RoomNavigator::find_place() {
-  place_.come_to(T_odom_vehicle_, progress_.point().along_m);
+  place_.come_to(T_odom_vehicle(), progress_.point().along_m);
   if (left_m() > params_.place_from_m) return;
   constexpr double kAbout_m = 1;
   const bool was_sure = place_.is_sure();
   const double along_m = progress_.point().along_m;
-  place_.take(edges_.seen_around(T_odom_vehicle_), T_odom_vehicle_, along_m);
+  place_.take(edges_.seen_around(T_odom_vehicle()), T_odom_vehicle(), along_m);
   if (was_sure || !place_.is_sure()) return;
   const std::size_t piece = progress_.point().piece;
   const PathPoint there = route_.path.nearest(pose().position(), along_m - kAbout_m, along_m + kAbout_m,
@@ -232,13 +230,13 @@ double RoomNavigator::requested_steering_rad() const {
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
   const double share = turns ? params_.turning_middle_share : params_.middle_share;
-  const Vec2 p_vehicle_middle = between(T_odom_vehicle_, T_odom_seen_) * *middle;
+  const Vec2 p_vehicle_middle = between(T_odom_vehicle(), T_odom_seen_) * *middle;
   return share * steering_to(p_vehicle_middle) + (1 - share) * taught_rad;
 }
 
 Decision RoomNavigator::follow(double now_s) {
   if (auto decision = arrived()) return *decision;
-  const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  const std::vector<Vec2> around = edges_.around(T_odom_vehicle());
   const bool is_near_end = left_m() < 1;
   const auto avoiding = is_near_end ? std::nullopt : avoiding_rad();
   const double requested_rad = avoiding.value_or(requested_steering_rad());

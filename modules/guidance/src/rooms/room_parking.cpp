@@ -22,7 +22,7 @@ Vec2 about_lines(const Vec2& frame_size_m) {
 
 void RoomNavigator::look_for_frame(const Observation& observation) {
   const double astray_m = place_.is_sure() ? params_.frame_astray_m : std::numeric_limits<double>::infinity();
-  frame_->look(observation, T_odom_vehicle_, place_.T_map_odom().inverse() * T_map_taught_frame(), astray_m);
+  frame_->look(observation, T_odom_vehicle(), place_.T_map_odom().inverse() * T_map_taught_frame(), astray_m);
   if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
 }
 
@@ -40,8 +40,8 @@ Decision RoomNavigator::park_in_frame(double now_s) {
 Decision RoomNavigator::back_into_frame(double now_s) {
   forget_frame_lines();
   if (frame_backing_->wants_floor()) learn_floor_before_frame();
-  frame_backing_->see(edges_.seen_around(T_odom_vehicle_), T_odom_vehicle_);
-  Decision decision = frame_backing_->step(now_s, T_odom_vehicle_, *frame_->frame(), steering_rad_);
+  frame_backing_->see(edges_.seen_around(T_odom_vehicle()), T_odom_vehicle());
+  Decision decision = frame_backing_->step(now_s, T_odom_vehicle(), *frame_->frame(), steering_rad_);
   return frame_backing_->keeps_to_floor() ? decision : unless_obstructed(std::move(decision), now_s);
 }
 
@@ -81,7 +81,7 @@ void RoomNavigator::forget_frame_lines() {
 
 Decision RoomNavigator::unless_obstructed(Decision decision, double now_s) {
   if (decision.status != NavigatorStatus::kGoing || decision.command.speed_mps == 0) return decision;
-  const SteeringChoice choice = free_path(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),
+  const SteeringChoice choice = free_path(vehicle_, params_.steering, edges_.around(T_odom_vehicle()),
                                           decision.command.steering_rad, gear_of(decision.command.speed_mps));
   if (choice.free_m >= params_.stop_free_m) {
     stopped_s_.reset();
@@ -108,7 +108,7 @@ Decision RoomNavigator::leave_place() {
 /// From the bumper to the nearest edge straight ahead.
 double RoomNavigator::gap_ahead_m() const {
   double gap_m = std::numeric_limits<double>::infinity();
-  for (const Vec2& p : edges_.around(T_odom_vehicle_)) {
+  for (const Vec2& p : edges_.around(T_odom_vehicle())) {
     if (std::abs(p.y()) < vehicle_.footprint.width_m / 2 && p.x() > 0)
       gap_m = std::min(gap_m, p.x() - vehicle_.footprint.front_m);
   }
@@ -131,7 +131,7 @@ bool RoomNavigator::is_beyond_dead_end() const {
 
 bool RoomNavigator::is_place_taken() const {
   const Pose2 T_due_vehicle = between(route_.path.end(), pose());
-  const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  const std::vector<Vec2> around = edges_.around(T_odom_vehicle());
   return std::any_of(around.begin(), around.end(), [&](const Vec2& p) {
     return off_footprint_m(vehicle_.footprint, T_due_vehicle * p) < params_.steering.margin_m;
   });

@@ -42,7 +42,7 @@ void RoomNavigator::begin_path_back() {
   backs_to_corner_ = params_.corner_backing.by_corner && next != nullptr;
   if (backs_to_corner_)
     corner_backing_->begin(class_of_turning(next->number), back_to_m_ - progress_.point().along_m,
-                           T_odom_vehicle_);
+                           T_odom_vehicle());
   learn_floor_behind();
   state_ = State::kBackingBetweenTurnings;
 }
@@ -59,7 +59,7 @@ Decision RoomNavigator::back_between_turnings() {
                                                             kLateBendAhead_m, steering_rad_);
   const SteeringChoice choice = choose_steering_behind(requested_rad);
   const bool is_far_enough =
-      backs_to_corner_ ? corner_backing_->is_done(T_odom_vehicle_) : !is_on_path_back();
+      backs_to_corner_ ? corner_backing_->is_done(T_odom_vehicle()) : !is_on_path_back();
   if (is_far_enough || choice.free_m < params_.stop_free_m) {
     const bool is_by_corner = backs_to_corner_ && corner_backing_->has_seen_corner();
     progress_ = PathProgress(route_.path, std::max(progress_.point().along_m, back_to_m_));

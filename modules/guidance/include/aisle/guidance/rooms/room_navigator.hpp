@@ -84,7 +84,7 @@ class RoomNavigator final : public Navigator {
   /// Progress on the taught route.
   const PathPoint& point() const { return progress_.point(); }
   /// Pose in the frame of the taught route.
-  Pose2 pose() const { return place_.T_map_odom() * T_odom_vehicle_; }
+  Pose2 pose() const { return place_.T_map_odom() * T_odom_vehicle(); }
   const std::optional<RouteSight>& sight() const { return view_.sight(); }
   const RouteView& view() const { return view_; }
   const EdgeMemory& edges() const { return edges_; }
@@ -108,6 +108,7 @@ class RoomNavigator final : public Navigator {
 
   static constexpr double kReach_m = 4;  ///< of its memory
 
+  const Pose2& T_odom_vehicle() const { return odometry_.T_odom_vehicle(); }
   Decision decide(const Observation& observation);
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
@@ -166,7 +167,6 @@ class RoomNavigator final : public Navigator {
   bool backs_to_corner_ = false;                   ///< else as taught
   double back_to_m_ = 0;                           ///< along the route, the end of such a reverse path
   StopViewMatcher stop_views_;
-  Pose2 T_odom_vehicle_;
   RouteBrightness brightness_;
   bool is_brightness_off_ = false;  ///< the brightness ahead does not match the route's
   Pose2 T_odom_seen_;               ///< where the last image was taken that matched
