@@ -55,9 +55,12 @@ bool FloorGrid::see_occupied(FloorCell cell) {
 }
 
 bool FloorGrid::seem_free(FloorCell cell) {
-  const bool adds_nothing =
-      stored_.contains(cell) && (evidence_[index(cell)] > 0 || evidence_[index(cell)] <= kSeemsFree);
-  return !adds_nothing && weigh(cell, kPassed);
+  return at(cell) != Floor::kOccupied && fade(cell);
+}
+
+bool FloorGrid::fade(FloorCell cell) {
+  const bool is_free_enough = stored_.contains(cell) && evidence_[index(cell)] <= kSeemsFree;
+  return !is_free_enough && weigh(cell, kPassed);
 }
 
 bool FloorGrid::stand_on(FloorCell cell) {

@@ -16,7 +16,10 @@ constexpr double kSurelyInside_m = 0.05;  // inside the footprint: the pose may 
 constexpr double kCoarse = 1.5;           // cells by which a hit may be off
 constexpr double kWallGap_m = 0.3;        // a wall may go on unseen this far from a hit
 constexpr double kThin_m = 0.04;          // a table's leg: beams farther apart may miss it
-constexpr double kLostAcross_m = 0.3;     // no opening is so narrow: beams in between were absorbed
+// From new places, beams this far apart miss it in three views of five. A hit weighs four misses: it stays,
+// and only what has gone away fades.
+constexpr double kOftenHit_m = 2.5 * kThin_m;
+constexpr double kLostAcross_m = 0.3;  // no opening is so narrow: beams in between were absorbed
 
 /// The cells that a disc or rectangle around a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
@@ -31,7 +34,7 @@ class FloorPainter {
   /// @param free_to_m  one a beam: floor beyond is not shown to be free
   FloorPainter(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
                std::span<const float> free_to_m, std::span<const float> near_m, const Pose2& T_map_laser,
-               double reach_m)
+               double reach_m, Viewpoint viewpoint)
       : floor_(floor),
         laser_(laser),
         ranges_m_(ranges_m),
@@ -39,6 +42,7 @@ class FloorPainter {
         near_m_(near_m),
         T_map_laser_(T_map_laser),
         reach_m_(reach_m),
+        viewpoint_(viewpoint),
         around_(box_of_beams()),
         hit_(static_cast<std::size_t>(around_.end.x - around_.low.x) *
                  static_cast<std::size_t>(around_.end.y - around_.low.y),
@@ -93,9 +97,16 @@ class FloorPainter {
     const double far_m = std::min(free_to_m_[first], free_to_m_[first + 1]) - floor_.cell_m();
     const double near_m = near_m_.empty() ? 0 : std::max(near_m_[first], near_m_[first + 1]);
     if (distance_m >= far_m || distance_m < near_m) return;
-    const bool may_miss =
-        distance_m * laser_.angle_step_rad > kThin_m || is_partly_hidden(cell, distance_m, beam);
-    if (may_miss ? floor_.seem_free(cell) : floor_.see_free(cell)) changed_.include(cell);
+    if (pass_beside(cell, distance_m * laser_.angle_step_rad, is_partly_hidden(cell, distance_m, beam)))
+      changed_.include(cell);
+  }
+
+  /// Beams `apart_m` apart pass the cell, with nothing hit in it. @return whether its state has changed
+  bool pass_beside(FloorCell cell, double apart_m, bool is_partly_hidden) {
+    if (is_partly_hidden) return floor_.seem_free(cell);
+    if (apart_m <= kThin_m) return floor_.see_free(cell);
+    const bool would_be_hit = viewpoint_ == Viewpoint::kMoved && apart_m <= kOftenHit_m;
+    return would_be_hit ? floor_.fade(cell) : floor_.seem_free(cell);
   }
 
   /// Whether something in front hides one side of an occupied cell, as a door's jamb hides its own face: the
@@ -125,6 +136,7 @@ class FloorPainter {
   std::span<const float> near_m_;
   Pose2 T_map_laser_;
   double reach_m_;
+  Viewpoint viewpoint_;
   FloorBox around_;
   std::vector<bool> hit_;
   FloorBox changed_;
@@ -222,11 +234,12 @@ void FloorViewParams::describe(FieldList& fields) {
 }
 
 FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
-                   std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params) {
+                   std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params,
+                   Viewpoint viewpoint) {
   const Pose2 T_map_laser = T_map_vehicle * laser.T_vehicle_laser;
   const std::vector<float> usable_m = usable_ranges_m(floor, laser, ranges_m, near_m, T_map_laser);
   const std::vector<float> free_m = free_ranges_m(floor, laser, usable_m, T_map_laser, params.reach_m);
-  return FloorPainter(floor, laser, usable_m, free_m, near_m, T_map_laser, params.reach_m).paint();
+  return FloorPainter(floor, laser, usable_m, free_m, near_m, T_map_laser, params.reach_m, viewpoint).paint();
 }
 
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle) {

@@ -61,6 +61,36 @@ TEST(FloorView, BeamsTooFarApartToHitAThinObstacleDoNotClearIt) {
   }
 }
 
+/// How often a pole at (4.52, 0) counts as occupied while the scanner drives past, 4 to 5 m away: beams are 7
+/// to 9 cm apart.
+double share_occupied(double pole_radius_m, bool goes_away) {
+  FloorGrid floor;
+  const Vec2 p_pole(4.52, 0);
+  int occupied = 0;
+  constexpr int kViews = 60;
+  for (int view = 0; view < kViews; ++view) {
+    const Pose2 T_map_vehicle{0.01 * view, -0.4 + 0.013 * view, 0.003 * (view % 7)};
+    std::vector<float> ranges_m(181, 29.0F);
+    const Vec2 p_vehicle = T_map_vehicle.inverse() * p_pole;
+    for (std::size_t beam = 0; beam <= 180; ++beam) {
+      const Vec2 along = unit(kScanner.beam_angle(beam));
+      const double beside_m = std::abs(along.x() * p_vehicle.y() - along.y() * p_vehicle.x());
+      const bool is_there = !goes_away || view < 10;
+      if (is_there && beside_m < pole_radius_m && along.dot(p_vehicle) > 0)
+        ranges_m[beam] = static_cast<float>(along.dot(p_vehicle));
+    }
+    see_floor(floor, kScanner, ranges_m, {}, T_map_vehicle, {}, Viewpoint::kMoved);
+    if (view >= 10) occupied += floor.at(p_pole) == Floor::kOccupied ? 1 : 0;
+  }
+  return occupied / double{kViews - 10};
+}
+
+TEST(FloorView, FromNewPlacesAPoleStaysAndAPersonWhoLeftFades) {
+  EXPECT_GT(share_occupied(0.02, false), 0.9);
+  EXPECT_EQ(share_occupied(0.15, false), 1);
+  EXPECT_LT(share_occupied(0.15, true), 0.4);
+}
+
 /// A door's jamb: the end of the wall in front hides the far side of the cell in which its face was hit.
 TEST(FloorView, PassingOneSideOfACellDoesNotClearTheOther) {
   const LaserScanner fine{-10 * kDegree, 0.1 * kDegree, 30, {}};

@@ -64,7 +64,7 @@ FloorLearner::News FloorLearner::take(const Observation& observation) {
   if (recognised && places_moved()) begin_rebuild();
   if (rebuild_) return continue_rebuild() ? News::kLoop : News::kNothing;
   if (!sees || !(is_time_to_look() || hits_something_new())) return News::kNothing;
-  looks_.push_back({log_.scans.size() - 1, view_.near_m, T_map_vehicle_});
+  looks_.push_back({log_.scans.size() - 1, view_.near_m, viewpoint(), T_map_vehicle_});
   T_map_looked_ = T_map_vehicle_;
   cycles_since_look_ = 0;
   const FloorBox changed = floor_.change([this](FloorGrid& grid) {
@@ -100,10 +100,16 @@ void FloorLearner::keep_scan(double stamp_s) {
   log_.scans.push_back(std::move(scan));
 }
 
-bool FloorLearner::is_time_to_look() const {
+/// Whether the vehicle has moved since the last look.
+Viewpoint FloorLearner::viewpoint() const {
   const Pose2 since = between(T_map_looked_, T_map_vehicle_);
-  return looks_.empty() || since.position().norm() >= params_.look_every_m ||
-         std::abs(since.theta) >= params_.look_every_rad || cycles_since_look_ >= params_.look_every_cycles;
+  const bool has_moved = looks_.empty() || since.position().norm() >= params_.look_every_m ||
+                         std::abs(since.theta) >= params_.look_every_rad;
+  return has_moved ? Viewpoint::kMoved : Viewpoint::kSame;
+}
+
+bool FloorLearner::is_time_to_look() const {
+  return viewpoint() == Viewpoint::kMoved || cycles_since_look_ >= params_.look_every_cycles;
 }
 
 /// Not every scan hits a thin obstacle, so one that does must not be skipped.
@@ -123,7 +129,7 @@ bool FloorLearner::hits_something_new() const {
 
 FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const {
   FloorBox changed = see_floor(floor, sensor_->scanner(), log_.scans[look.scan_index].ranges_m, look.near_m,
-                               T_map_vehicle, params_.view);
+                               T_map_vehicle, params_.view, look.viewpoint);
   const FloorBox stood =
       stand_on_floor(floor, look.scan_index == 0 ? initial_free_area() : vehicle_.footprint, T_map_vehicle);
   changed.include_box(stood);

@@ -71,6 +71,9 @@ class FloorGrid {
   /// one outweighs this.
   /// @return whether the cell's state has changed
   bool seem_free(FloorCell cell);
+  /// The same from a new place, where something thin would have been hit more often than not: what was hit
+  /// earlier fades.
+  bool fade(FloorCell cell);
   /// The vehicle is on the cell: nothing is there, at any height. Kept until something is hit in it; an
   /// occupied cell counts as one that a view passed through.
   /// @return whether the cell's state has changed, or the vehicle was not on it before

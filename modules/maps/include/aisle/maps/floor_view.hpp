@@ -18,12 +18,17 @@ struct FloorViewParams {
   void describe(FieldList& fields);
 };
 
+/// Whether a scan sees the floor from where the one before it did. Then its beams pass what the others
+/// passed, and miss what these missed.
+enum class Viewpoint { kMoved, kSame };
+
 /// Enters a scan into the floor: free up to each hit, occupied there.
 /// @param near_m  one a beam [m]: nothing nearer was looked at, and a beam without a return shows free floor
 ///                only where nothing nearer is known; empty: everything was looked at
 /// @return a box around all cells that have changed
 FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
-                   std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params);
+                   std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params,
+                   Viewpoint viewpoint = Viewpoint::kSame);
 
 /// Floor under the vehicle is free, and nothing is above it.
 /// @return a box around all cells about which more is known now

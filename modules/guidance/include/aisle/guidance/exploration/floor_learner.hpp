@@ -76,6 +76,7 @@ class FloorLearner {
   struct Look {
     std::size_t scan_index = 0;  ///< in the log
     std::vector<float> near_m;
+    Viewpoint viewpoint = Viewpoint::kMoved;
     Pose2 T_map_put;  ///< vehicle pose with which it was added
   };
   /// Where the vehicle stood at a bumper contact.
@@ -91,6 +92,7 @@ class FloorLearner {
     std::size_t next = 0;  ///< index in `looks_`
   };
 
+  Viewpoint viewpoint() const;
   bool is_time_to_look() const;
   bool hits_something_new() const;
   FloorBox put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const;
