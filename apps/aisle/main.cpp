@@ -43,6 +43,7 @@ int print(const std::string& text, ExitCode code) {
 }
 
 int report(const aisle::Outcome& outcome, const Output& output) {
+  if (outcome.is_printed_elsewhere) return kDone;
   return print(output.json ? to_json(outcome) + "\n" : aisle::terminal_text(outcome.text),
                outcome.ok ? kDone : kMissionFailed);
 }
@@ -137,6 +138,7 @@ void add_verbs(CLI::App& app, Work& work) {
   add_park_verb(app, work);
   add_reproduce_verb(app, work);
   add_trial_verb(app, work);
+  add_study_verb(app, work);
   add_examples(app, {"aisle explore small-office --out out/office",
                      "aisle go out/office/building.json \"end 1\" --world small-office", "aisle help map"});
 }

@@ -1,4 +1,5 @@
 #include <charconv>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -8,6 +9,7 @@
 #include "examples.hpp"
 #include "option_kinds.hpp"
 #include "parking_choices.hpp"
+#include "trial_verb.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -42,6 +44,12 @@ std::vector<std::string> words_of(const CLI::App& verb, const std::set<const CLI
 }  // namespace
 
 void add_trial_verb(CLI::App& app, Work& work) {
+  add_trial_verb(app, work, [&work](const TrialOptions& options) {
+    work = [options](Console& console) { return run_trial(options, console); };
+  });
+}
+
+void add_trial_verb(CLI::App& app, Work& work, const std::function<void(const TrialOptions&)>& chosen) {
   CLI::App* verb = app.add_subcommand(
       "trial", "run complete simulated missions, one per seed, and print their statistics");
   verb->fallthrough();
@@ -99,17 +107,23 @@ void add_trial_verb(CLI::App& app, Work& work) {
       "was moved");
   verb->add_flag("--close", options->close,
                  "turnings: pairs that are too close for the vehicle, so that it backs up between them");
+  const CLI::Option* only = verb->add_option(
+      "--only", options->only,
+      "run one of the trial's missions, by its name, such as 'seed 5': as it would run among all");
   const CLI::Option* jobs = verb->add_option(
-      "--jobs", options->jobs, "missions that run at a time (default: as many as there are cores)");
+      "--jobs", options->jobs,
+      "missions that run at a time (default: as many as there are cores; under mpirun 1 in each process)");
   verb->get_option("--jobs")->check(CLI::Range(1, 1024));
-  const CLI::Option* out =
-      verb->add_option("-o,--out", options->out,
-                       "directory that keeps each mission as it ends; the same command goes on from there");
+  const CLI::Option* out = verb->add_option(
+      "-o,--out", options->out,
+      "directory that keeps each mission as it ends; the same command goes on from there, and shares the "
+      "missions with others that run it at the same time");
   const CLI::Option* force =
       verb->add_flag("--force", options->force, "replace the missions that --out holds");
-  add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {
+  add_parameter_options(*verb, options->parameters, trial_parameters, work, [=] {
     if (options->method.empty()) throw CLI::RequiredError("METHOD");
-    options->words = words_of(*verb, {seeds, jobs, out, force});
-    work = [options](Console& console) { return run_trial(*options, console); };
+    options->words = words_of(*verb, {seeds, only, jobs, out, force});
+    options->process = trial_process_from_environment();
+    chosen(*options);
   });
 }

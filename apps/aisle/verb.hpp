@@ -30,6 +30,7 @@ void add_live_verb(CLI::App& app, Work& work);
 void add_park_verb(CLI::App& app, Work& work);
 void add_reproduce_verb(CLI::App& app, Work& work);
 void add_show_verbs(CLI::App& app, Work& work);
+void add_study_verb(CLI::App& app, Work& work);
 void add_trial_verb(CLI::App& app, Work& work);
 
 /// The verbs below `aisle sim`.

@@ -5,9 +5,8 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <map>
+#include <deque>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "mission_worker.hpp"
@@ -24,17 +23,30 @@ class MissionRuns {
  public:
   MissionRuns(const TrialOptions& options, const TrialMissions& missions, TrialJournal journal,
               Console& console)
-      : missions_(missions), journal_(std::move(journal)), console_(console) {
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    jobs_ = options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : cores;
+      : missions_(missions),
+        journal_(std::move(journal)),
+        console_(console),
+        only_(options.only),
+        jobs_(static_cast<std::size_t>(options.jobs > 0 ? options.jobs : jobs_by_default(options.process))) {
+    for (std::size_t mission = 0; mission < missions_.count; ++mission) {
+      if (is_wanted(missions_.name(mission))) waiting_.push_back(mission);
+    }
+    wanted_ = waiting_.size();
   }
 
   Problems run() {
-    take_kept();
+    if (wanted_ == 0)
+      return {
+          {{"--only"},
+           fmt::format("is none of this trial's missions, the first of which is '{}'", missions_.name(0))}};
+    if (journal_.kept() > 0)
+      console_.warn(fmt::format("{}: {} missions were run before{}", journal_.path().string(),
+                                journal_.kept(),
+                                journal_.is_of_another_build() ? ", by another build of the program" : ""));
     try {
-      while (next_mission() || is_any_busy()) {
+      while (!waiting_.empty() || busy() > 0) {
         if (Problems problems = hand_out(); !problems.empty()) return problems;
-        if (Problems problems = wait(); !problems.empty()) return problems;
+        if (Problems problems = listen(); !problems.empty()) return problems;
       }
     } catch (const Interrupted&) {
       was_interrupted_ = true;
@@ -42,60 +54,73 @@ class MissionRuns {
     return {};
   }
 
-  TrialRecords records() && {
-    TrialRecords records{.records = {}, .failed = {}, .died = std::move(died_), .wanted = missions_.count};
+  TrialRecords records() const {
+    TrialRecords records{.records = {}, .failed = {}, .died = {}, .wanted = wanted_};
     records.was_interrupted = was_interrupted_;
-    records.records.reserve(records_.size());
-    for (auto& [mission, record] : records_) {
-      if (!record.value("ok", false)) records.failed.push_back(missions_.name(mission));
-      records.records.push_back(std::move(record));
+    for (std::size_t mission = 0; mission < missions_.count; ++mission) {
+      const std::string name = missions_.name(mission);
+      if (!is_wanted(name)) continue;
+      if (const auto record = journal_.records().find(name); record != journal_.records().end()) {
+        if (!record->second.value("ok", false)) records.failed.push_back(name);
+        records.records.emplace_back(name, record->second);
+      } else if (const auto death = journal_.deaths().find(name); death != journal_.deaths().end()) {
+        records.died.push_back(fmt::format("{}: {}", name, death->second));
+      }
     }
     return records;
   }
 
  private:
-  void take_kept() {
-    for (std::size_t mission = 0; mission < missions_.count; ++mission) {
-      const auto kept = journal_.kept().find(missions_.name(mission));
-      if (kept != journal_.kept().end()) records_.emplace(mission, kept->second);
+  /// Processes that share a trial share the machine, too.
+  static int jobs_by_default(const TrialProcess& process) { return process.count > 1 ? 1 : usable_cores(); }
+
+  bool is_wanted(const std::string& name) const { return only_.empty() || name == only_; }
+
+  std::size_t busy() const {
+    return static_cast<std::size_t>(
+        std::count_if(workers_.begin(), workers_.end(),
+                      [](const MissionWorker& worker) { return worker.mission().has_value(); }));
+  }
+
+  /// Claims the first mission that waits and that no other process runs. What others run keeps waiting: they
+  /// may die.
+  Result<std::optional<std::size_t>> claim_next() {
+    for (std::size_t tried = waiting_.size(); tried > 0; --tried) {
+      const std::size_t mission = waiting_.front();
+      waiting_.pop_front();
+      const auto claim = journal_.claim(missions_.name(mission));
+      if (!claim) return claim.problems();
+      if (*claim == MissionClaim::kGranted) return std::optional(mission);
+      if (*claim == MissionClaim::kRefused) waiting_.push_back(mission);
     }
-    if (records_.empty()) return;
-    console_.warn(fmt::format("{}: {} missions were run before{}", journal_.path().string(), records_.size(),
-                              journal_.is_of_another_build() ? ", by another build of the program" : ""));
-  }
-
-  /// The next that was not run before.
-  std::optional<std::size_t> next_mission() {
-    while (next_ < missions_.count && records_.contains(next_)) ++next_;
-    return next_ < missions_.count ? std::optional(next_) : std::nullopt;
-  }
-
-  bool is_any_busy() const {
-    return std::any_of(workers_.begin(), workers_.end(),
-                       [](const MissionWorker& worker) { return worker.mission().has_value(); });
+    return std::optional<std::size_t>();
   }
 
   /// Gives each worker that waits a mission, and starts workers as long as there are missions for them.
   Problems hand_out() {
-    for (MissionWorker& worker : workers_) {
-      if (!worker.mission() && next_mission()) worker.begin(next_++);
+    const auto is_free = [](const MissionWorker& worker) { return !worker.mission(); };
+    while (true) {
+      auto worker = std::find_if(workers_.begin(), workers_.end(), is_free);
+      if (worker == workers_.end() && workers_.size() >= jobs_) return {};
+      const auto mission = claim_next();
+      if (!mission) return mission.problems();
+      if (!*mission) return {};
+      if (worker == workers_.end()) {
+        auto started = MissionWorker::start(missions_);
+        if (!started) return started.problems();
+        worker = workers_.insert(worker, std::move(*started));
+      }
+      worker->begin(**mission);
     }
-    while (workers_.size() < jobs_ && next_mission()) {
-      auto worker = MissionWorker::start(missions_);
-      if (!worker) return worker.problems();
-      worker->begin(next_++);
-      workers_.push_back(std::move(*worker));
-    }
-    return {};
   }
 
   /// Until a worker says something, or for kLook_ms.
-  Problems wait() {
+  Problems listen() {
     std::vector<pollfd> descriptors;
     descriptors.reserve(workers_.size());
     for (const MissionWorker& worker : workers_) descriptors.push_back({worker.descriptor(), POLLIN, 0});
     ::poll(descriptors.data(), descriptors.size(), kLook_ms);
-    console_.progress.report("missions", records_.size() + died_.size(), missions_.count);
+    console_.progress.report(label(), wanted_ - waiting_.size() - busy(), wanted_);
     for (MissionWorker& worker : workers_) {
       const std::optional<std::size_t> mission = worker.mission();
       const std::optional<WorkerAnswer> end = worker.take(console_);
@@ -106,25 +131,27 @@ class MissionRuns {
     return {};
   }
 
+  /// What the progress is called: with the last mission that did not go well.
+  std::string label() const {
+    return last_bad_.empty() ? "missions" : fmt::format("missions ({} failed)", last_bad_);
+  }
+
   Problems keep(std::size_t mission, const WorkerAnswer& end) {
     if (!end.problems.empty()) return end.problems;
     const std::string name = missions_.name(mission);
-    if (!end.died_of.empty()) {
-      died_.push_back(fmt::format("{}: {}", name, end.died_of));
-      return {};
-    }
-    records_.emplace(mission, end.record);
-    return journal_.add(name, end.record);
+    if (!end.died_of.empty() || !end.record.value("ok", false)) last_bad_ = name;
+    return end.died_of.empty() ? journal_.add(name, end.record) : journal_.add_death(name, end.died_of);
   }
 
   const TrialMissions& missions_;
   TrialJournal journal_;
   Console& console_;
-  std::size_t jobs_ = 1;
+  std::string only_;  ///< name of the one wanted; empty: all are
+  std::size_t jobs_;
   std::vector<MissionWorker> workers_;
-  std::size_t next_ = 0;
-  std::map<std::size_t, Json> records_;
-  std::vector<std::string> died_;
+  std::deque<std::size_t> waiting_;  ///< missions that have not ended and that do not run here
+  std::size_t wanted_ = 0;
+  std::string last_bad_;
   bool was_interrupted_ = false;
 };
 
@@ -141,11 +168,20 @@ TrialMissions per_seed(const TrialOptions& options,
 
 Result<TrialRecords> run_missions(const TrialOptions& options, const TrialMissions& missions,
                                   Console& console) {
+  if (options.process.count > 1 && options.out.empty())
+    return Problem{{"--out"},
+                   fmt::format("is missing: the {} processes of this trial share its missions through "
+                               "a directory that all of them reach",
+                               options.process.count)};
+  if (options.process.count > 1 && options.force)
+    return Problem{{"--force"},
+                   "would let each process of this trial throw away what the others have run: "
+                   "remove the missions before"};
   auto journal = TrialJournal::open(options);
   if (!journal) return journal.problems();
   MissionRuns runs(options, missions, std::move(*journal), console);
   if (Problems problems = runs.run(); !problems.empty()) return problems;
-  return std::move(runs).records();
+  return runs.records();
 }
 
 void TrialRecords::report(const TrialOptions& options, Outcome& outcome) const {
@@ -155,8 +191,9 @@ void TrialRecords::report(const TrialOptions& options, Outcome& outcome) const {
   if (!options.out.empty()) outcome.files["missions"] = (options.out / "missions.jsonl").string();
   for (const std::string& one : died) outcome.text += fmt::format("died: {}\n", one);
   if (!failed.empty())
-    outcome.text += fmt::format("failed: {}; one again: aisle trial {} --seeds SEED\n",
-                                fmt::join(failed, ", "), fmt::join(options.words, " "));
+    outcome.text += fmt::format("failed: {}; the first again: aisle trial {} --seeds {}..{} --only '{}'\n",
+                                fmt::join(failed, ", "), fmt::join(options.words, " "), options.first_seed,
+                                options.last_seed, failed.front());
   if (was_interrupted)
     outcome.text += fmt::format("interrupted: {} of {} missions ended{}\n", records.size(), wanted,
                                 options.out.empty() ? "" : "; the same command goes on from there");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "aisle/commands/outcome.hpp"
@@ -28,9 +29,10 @@ TrialMissions per_seed(const TrialOptions& options,
 
 /// What came of them.
 struct TrialRecords {
-  std::vector<nlohmann::ordered_json> records;  ///< of the missions that ended, in their order
-  std::vector<std::string> failed;              ///< names of those that did not go well
-  std::vector<std::string> died;  ///< names of those whose process did not live to its end, and why
+  /// Of the missions that ended, with their names, in the trial's order.
+  std::vector<std::pair<std::string, nlohmann::ordered_json>> records;
+  std::vector<std::string> failed;  ///< names of those that did not go well
+  std::vector<std::string> died;    ///< names of those whose process did not live to its end, and why
   std::size_t wanted = 0;
   bool was_interrupted = false;
 
@@ -43,5 +45,11 @@ struct TrialRecords {
 /// cannot begin without; the journal cannot be read or written.
 Result<TrialRecords> run_missions(const TrialOptions& options, const TrialMissions& missions,
                                   Console& console);
+
+/// A method's figures over its missions, and these. The outcome is ok if all that ended went well.
+struct TrialResult {
+  Outcome outcome;
+  TrialRecords records;
+};
 
 }  // namespace aisle

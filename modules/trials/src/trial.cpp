@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "aisle/commands/method.hpp"
@@ -11,6 +12,7 @@
 #include "exploration/exploration_trial.hpp"
 #include "landmarks/landmark_trial.hpp"
 #include "localisation/localisation_trial.hpp"
+#include "recorded_trial.hpp"
 #include "rooms/room_trial.hpp"
 #include "sections/section_trial.hpp"
 
@@ -31,7 +33,7 @@ Result<TrialParams> read_params(const TrialOptions& options) {
 
 /// A trial with its part of the parameters.
 template <auto trial, auto part>
-Result<Outcome> with_params(const TrialOptions& options, Console& console) {
+Result<TrialResult> with_params(const TrialOptions& options, Console& console) {
   const auto params = read_params(options);
   if (!params) return params.problems();
   return trial(options, (*params).*part, console);
@@ -40,7 +42,7 @@ Result<Outcome> with_params(const TrialOptions& options, Console& console) {
 /// What `aisle trial` can try.
 struct TrialMethod {
   std::string_view name;
-  Result<Outcome> (*run)(const TrialOptions& options, Console& console);
+  Result<TrialResult> (*run)(const TrialOptions& options, Console& console);
 };
 
 constexpr TrialMethod kTrialMethods[] = {
@@ -59,14 +61,24 @@ Outcome trial_parameters() {
   return parameter_listing("trial", fields_of(params));
 }
 
-Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
+Result<TrialResult> run_recorded_trial(const TrialOptions& options, Console& console) {
   const std::string method = present_method(options.method, console);
   for (const TrialMethod& trial : kTrialMethods) {
-    if (trial.name == method) return trial.run(options, console);
+    if (trial.name != method) continue;
+    auto result = trial.run(options, console);
+    if (result) result->records.report(options, result->outcome);
+    return result;
   }
   std::vector<std::string_view> names;
   for (const TrialMethod& trial : kTrialMethods) names.push_back(trial.name);
   return Problem{{"METHOD"}, fmt::format("'{}' is none of {}", options.method, fmt::join(names, ", "))};
+}
+
+Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
+  auto result = run_recorded_trial(options, console);
+  if (!result) return result.problems();
+  if (!options.process.is_first()) return Outcome{.verb = "trial", .is_printed_elsewhere = true};
+  return std::move(result->outcome);
 }
 
 }  // namespace aisle

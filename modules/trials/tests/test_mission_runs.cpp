@@ -1,12 +1,16 @@
 #include "mission_runs.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace aisle {
@@ -45,7 +49,7 @@ class MissionRunsTest : public testing::Test {
 
   static std::vector<int> squares_in(const TrialRecords& ran) {
     std::vector<int> squares;
-    for (const Json& record : ran.records) squares.push_back(record["square"]);
+    for (const auto& [mission, record] : ran.records) squares.push_back(record["square"]);
     return squares;
   }
 
@@ -61,7 +65,7 @@ TEST_F(MissionRunsTest, RunInOtherProcessesAndComeBackInOrder) {
   const auto ran = run(squares());
   ASSERT_TRUE(ran.ok());
   EXPECT_THAT(squares_in(*ran), ElementsAre(1, 4, 9, 16, 25, 36, 49, 64));
-  for (const Json& record : ran->records) EXPECT_NE(record["worker"], ::getpid());
+  for (const auto& [mission, record] : ran->records) EXPECT_NE(record["worker"], ::getpid());
   EXPECT_THAT(warnings_, ElementsAre("three"));
   EXPECT_THAT(ran->failed, ElementsAre("seed 5"));
   EXPECT_THAT(ran->died, IsEmpty());
@@ -149,6 +153,74 @@ TEST_F(MissionRunsTest, RefuseAJournalThatIsNone) {
     EXPECT_THAT(to_string(ran.problems()), HasSubstr("missions.jsonl: is no journal of a trial")) << text;
     EXPECT_EQ(std::filesystem::file_size(journal()), std::string(text).size()) << text;
   }
+}
+
+/// Runs the missions in a process of its own. @return its id
+pid_t run_beside(const TrialOptions& options, const TrialMissions& missions) {
+  const pid_t process = ::fork();
+  if (process != 0) return process;
+  SilentProgress progress;
+  Console console{progress, [](const std::string&) {}};
+  const auto ran = run_missions(options, missions, console);
+  ::_exit(ran.ok() && ran->records.size() == options.seeds() ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+std::size_t lines_in(const std::string& path) {
+  std::ifstream file(path);
+  return static_cast<std::size_t>(
+      std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n'));
+}
+
+TEST_F(MissionRunsTest, AreSharedByProcesses) {
+  options_.out = directory_ / "shared";
+  options_.last_seed = 40;
+  options_.jobs = 2;
+  const pid_t other = run_beside(options_, squares());
+  const auto ran = run(squares());
+  int status = 0;
+  ::waitpid(other, &status, 0);
+  EXPECT_EQ(status, 0);
+  ASSERT_TRUE(ran.ok()) << to_string(ran.problems());
+  for (std::size_t i = 0; i < 40; ++i) EXPECT_EQ(squares_in(*ran).at(i), (i + 1) * (i + 1));
+  EXPECT_EQ(lines_in(journal()), 41U) << "each mission once, behind the header";
+}
+
+TEST_F(MissionRunsTest, OfAKilledProcessAreRunByTheOthers) {
+  options_.out = directory_ / "shared";
+  options_.jobs = 1;
+  std::array<int, 2> begun{};
+  ASSERT_EQ(::pipe(begun.data()), 0);
+  const pid_t other = run_beside(options_, squares(1, [&] {
+                                   if (::write(begun[1], "1", 1) != 1) return;
+                                   ::pause();
+                                 }));
+  char one = 0;
+  ASSERT_EQ(::read(begun[0], &one, 1), 1);
+  const auto ran = run(squares(8, [&] { ::kill(other, SIGKILL); }));
+  ::waitpid(other, nullptr, 0);
+  ASSERT_TRUE(ran.ok()) << to_string(ran.problems());
+  EXPECT_THAT(squares_in(*ran), ElementsAre(1, 4, 9, 16, 25, 36, 49, 64));
+  for (const int end : begun) ::close(end);
+}
+
+TEST_F(MissionRunsTest, OneAloneIsTheSameAsAmongAll) {
+  options_.only = "seed 5";
+  const auto ran = run(squares());
+  ASSERT_TRUE(ran.ok());
+  EXPECT_THAT(squares_in(*ran), ElementsAre(25));
+  Outcome outcome;
+  ran->report(options_, outcome);
+  EXPECT_THAT(outcome.text, HasSubstr("aisle trial counting --seeds 1..8 --only 'seed 5'"));
+  options_.only = "seed 9";
+  EXPECT_THAT(to_string(run(squares()).problems()), HasSubstr("--only: is none of this trial's missions"));
+}
+
+TEST_F(MissionRunsTest, OfSeveralProcessesNeedOneDirectory) {
+  options_.process = {.rank = 1, .count = 2};
+  EXPECT_THAT(to_string(run(squares()).problems()), HasSubstr("--out: is missing: the 2 processes"));
+  options_.out = directory_;
+  options_.force = true;
+  EXPECT_THAT(to_string(run(squares()).problems()), HasSubstr("--force: would let each"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "aisle/commands/exploration/judged_exploration.hpp"
 #include "aisle/core/rounded.hpp"
@@ -107,18 +108,17 @@ Result<Json> explore_seed(const TrialOptions& options, std::uint64_t seed, Conso
 
 }  // namespace
 
-Result<Outcome> run_exploration_trial(const TrialOptions& options, Console& console) {
-  const auto ran = run_missions(
+Result<TrialResult> run_exploration_trial(const TrialOptions& options, Console& console) {
+  auto ran = run_missions(
       options,
       per_seed(options,
                [&](std::uint64_t seed, Console& quiet) { return explore_seed(options, seed, quiet); }),
       console);
   if (!ran) return ran.problems();
   Json missions = Json::array();
-  for (const Json& record : ran->records) missions.push_back(record.at("run"));
+  for (const auto& [mission, record] : ran->records) missions.push_back(record.at("run"));
   Outcome outcome = outcome_of(options, missions);
-  ran->report(options, outcome);
-  return outcome;
+  return TrialResult{std::move(outcome), std::move(*ran)};
 }
 
 }  // namespace aisle

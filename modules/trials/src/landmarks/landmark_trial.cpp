@@ -186,21 +186,20 @@ Outcome landmark_outcome(const TrialOptions& options, const LandmarkTrial& trial
 
 }  // namespace
 
-Result<Outcome> trial_by_landmarks(const TrialOptions& options, const LandmarkCourseParams& params,
-                                   Console& console) {
-  const auto ran = run_missions(options,
-                                per_seed(options,
-                                         [&](std::uint64_t seed, Console& quiet) {
-                                           return landmark_record(options, params, seed, quiet.progress);
-                                         }),
-                                console);
+Result<TrialResult> trial_by_landmarks(const TrialOptions& options, const LandmarkCourseParams& params,
+                                       Console& console) {
+  auto ran = run_missions(options,
+                          per_seed(options,
+                                   [&](std::uint64_t seed, Console& quiet) {
+                                     return landmark_record(options, params, seed, quiet.progress);
+                                   }),
+                          console);
   if (!ran) return ran.problems();
   LandmarkTrial trial;
   trial.after.resize(static_cast<std::size_t>(options.refinements) + 1);
-  for (const Json& record : ran->records) trial.add(record);
+  for (const auto& [mission, record] : ran->records) trial.add(record);
   Outcome outcome = landmark_outcome(options, trial);
-  ran->report(options, outcome);
-  return outcome;
+  return TrialResult{std::move(outcome), std::move(*ran)};
 }
 
 }  // namespace aisle

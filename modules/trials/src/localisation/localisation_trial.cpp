@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "aisle/core/process_usage.hpp"
 #include "aisle/core/rounded.hpp"
@@ -142,21 +143,20 @@ Result<Json> localise_seed(const TrialOptions& options, const PlaceFinderParams&
 
 }  // namespace
 
-Result<Outcome> run_localisation_trial(const TrialOptions& options, Console& console) {
+Result<TrialResult> run_localisation_trial(const TrialOptions& options, Console& console) {
   PlaceFinderParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  const auto ran = run_missions(
+  auto ran = run_missions(
       options,
       per_seed(options, [&](std::uint64_t seed,
                             Console& quiet) { return localise_seed(options, params, seed, quiet.progress); }),
       console);
   if (!ran) return ran.problems();
   Json runs = Json::array();
-  for (const Json& record : ran->records) runs.push_back(record.at("run"));
+  for (const auto& [mission, record] : ran->records) runs.push_back(record.at("run"));
   Outcome outcome = localisation_outcome(options, runs);
-  ran->report(options, outcome);
-  return outcome;
+  return TrialResult{std::move(outcome), std::move(*ran)};
 }
 
 }  // namespace aisle

@@ -110,7 +110,7 @@ Result<RoomMissions> drive_missions(const TrialOptions& options, const RoomTrial
                           console);
   if (!ran) return ran.problems();
   RoomMissions missions{.ran = std::move(*ran), .trial = {}};
-  for (const Json& record : missions.ran.records) missions.trial.add(record);
+  for (const auto& [mission, record] : missions.ran.records) missions.trial.add(record);
   return missions;
 }
 
@@ -131,7 +131,8 @@ Json park_figures(const RoomTrial& trial) {
 
 }  // namespace
 
-Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console) {
+Result<TrialResult> trial_by_route(const TrialOptions& options, const RoomTrialParams& params,
+                                   Console& console) {
   const auto missions =
       drive_missions(options, params, {}, console,
                      [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
@@ -154,12 +155,11 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
       "{:.1f} % stopped safely, {} collisions\n",
       trial.missions, 100 * trial.share(trial.arrived), 100 * trial.share(trial.stopped), trial.collisions);
   outcome.text += trial.not_taught.text();
-  missions->ran.report(options, outcome);
-  return outcome;
+  return TrialResult{std::move(outcome), std::move(missions->ran)};
 }
 
-Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& given,
-                                 Console& console) {
+Result<TrialResult> trial_of_parking(const TrialOptions& options, const RoomTrialParams& given,
+                                     Console& console) {
   constexpr double kBeforeEnd_m = 3.2;
   if (options.in_reverse && options.strategy != ParkingStrategy::kFrame)
     return Problem{{"--reverse"}, "vehicles park backwards in painted frames only"};
@@ -186,8 +186,7 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
       parking_word(options.strategy), trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
       100 * trial.end_m.mean(), trial.end_deg.mean(), 100 * trial.end_m.worst(), trial.end_deg.worst());
   outcome.text += trial.not_taught.text();
-  missions->ran.report(options, outcome);
-  return outcome;
+  return TrialResult{std::move(outcome), std::move(missions->ran)};
 }
 
 }  // namespace aisle

@@ -66,8 +66,8 @@ nlohmann::ordered_json success_shares(const RoomTrial& trial,
 }  // namespace
 
 /// Every seed changes the light in the room.
-Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
-                                  Console& console) {
+Result<TrialResult> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
+                                      Console& console) {
   const auto vehicle = read_setting("", kRoomMethod.vehicle_or_usual(options.vehicle), options.scenario);
   if (!vehicle) return vehicle.problems();
   if (Problems problems = unfit_for_rooms(vehicle->vehicle.description, {kFirstCamera, kThirdCamera});
@@ -87,10 +87,10 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
         setting.world = course_of(i);
         return drive_turning(setting, params, taught_routes, seed_of(i), quiet.progress);
       }};
-  const auto ran = run_missions(options, missions, console);
+  auto ran = run_missions(options, missions, console);
   if (!ran) return ran.problems();
   RoomTrial trial;
-  for (const auto& record : ran->records) trial.add(record);
+  for (const auto& [mission, record] : ran->records) trial.add(record);
   Outcome outcome{.verb = "trial", .ok = trial.all_well()};
   outcome.figures = {{"missions", trial.missions},
                      {"success_share", success_shares(trial, courses)},
@@ -105,8 +105,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
                              options.close ? "two close turnings" : "thirteen turnings", trial.missions,
                              100 * trial.share(trial.arrived), trial.collisions);
   outcome.text += trial.not_taught.text();
-  ran->report(options, outcome);
-  return outcome;
+  return TrialResult{std::move(outcome), std::move(*ran)};
 }
 
 }  // namespace aisle

@@ -200,20 +200,19 @@ Outcome section_outcome(const SectionTrial& trial) {
 
 }  // namespace
 
-Result<Outcome> trial_by_sections(const TrialOptions& options, const SectionTrialParams& params,
-                                  Console& console) {
-  const auto ran = run_missions(options,
-                                per_seed(options,
-                                         [&](std::uint64_t seed, Console& quiet) {
-                                           return section_record(options, params, seed, quiet.progress);
-                                         }),
-                                console);
+Result<TrialResult> trial_by_sections(const TrialOptions& options, const SectionTrialParams& params,
+                                      Console& console) {
+  auto ran = run_missions(options,
+                          per_seed(options,
+                                   [&](std::uint64_t seed, Console& quiet) {
+                                     return section_record(options, params, seed, quiet.progress);
+                                   }),
+                          console);
   if (!ran) return ran.problems();
   SectionTrial trial;
-  for (const Json& record : ran->records) trial.add(record);
+  for (const auto& [mission, record] : ran->records) trial.add(record);
   Outcome outcome = section_outcome(trial);
-  ran->report(options, outcome);
-  return outcome;
+  return TrialResult{std::move(outcome), std::move(*ran)};
 }
 
 }  // namespace aisle

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "aisle/commands/outcome.hpp"
 #include "aisle/guidance/sections/section_navigator.hpp"
 #include "aisle/missions/sections/section_learning_result.hpp"
 #include "aisle/trials/trial_options.hpp"
+#include "mission_runs.hpp"
 
 namespace aisle {
 
@@ -18,7 +18,7 @@ struct SectionTrialParams {
 };
 
 /// `trial sections`: routes of corridors, taught and driven there and back.
-Result<Outcome> trial_by_sections(const TrialOptions& options, const SectionTrialParams& params,
-                                  Console& console);
+Result<TrialResult> trial_by_sections(const TrialOptions& options, const SectionTrialParams& params,
+                                      Console& console);
 
 }  // namespace aisle

@@ -19,6 +19,7 @@ struct Outcome {
   std::map<std::string, std::string> files;  ///< written files: role -> path
   std::string text;                          ///< for people
   Problems problems = {};                    ///< why it was refused; empty: it was not
+  bool is_printed_elsewhere = false;         ///< by another of the processes that share the work
 };
 
 /// [{"where": ..., "what": ...}]: how every verb reports warnings and problems.

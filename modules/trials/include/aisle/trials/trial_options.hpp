@@ -10,6 +10,7 @@
 #include "aisle/maps/room_route.hpp"
 #include "aisle/missions/exploration/exploring_sensor.hpp"
 #include "aisle/simulation/buildings/random_building.hpp"
+#include "aisle/trials/trial_process.hpp"
 
 namespace aisle {
 
@@ -25,9 +26,11 @@ struct TrialOptions {
   std::string vehicle;   ///< empty: the method's default, alv or mini (sections)
   std::string scenario;  ///< file or shipped name; empty: no faults
   ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
-  int teachings = 1;    ///< taught runs before the route is driven autonomously (sections)
-  int refinements = 0;  ///< runs after the first, each refining the building before the next (landmarks)
-  int jobs = 0;         ///< missions at a time; 0: as many as the machine has cores
+  int teachings = 1;     ///< taught runs before the route is driven autonomously (sections)
+  int refinements = 0;   ///< runs after the first, each refining the building before the next (landmarks)
+  std::string only;      ///< name of the one mission to run, such as "seed 5"; empty: all
+  int jobs = 0;          ///< missions at a time; 0: one for each core, or one if processes share the trial
+  TrialProcess process;  ///< of those that share the trial
   std::optional<BuildingKind> kind;  ///< of random buildings; none: all kinds in turn
   std::optional<double> speed_mps;
   std::optional<double> lift_m;  ///< kidnap: the vehicle is put so far ahead or back on its path (landmarks)
@@ -36,7 +39,8 @@ struct TrialOptions {
   bool close = false;         ///< turnings: pairs that are too close for the vehicle
   bool outdated_map = false;  ///< localise: in a map with 5 % of walls missing and furniture moved
   bool force = false;         ///< replace what `out` holds
-  std::filesystem::path out;  ///< that keeps the missions, and from which a trial goes on; empty: none
+  /// Keeps the missions, from which a trial goes on, and which processes share; empty: none.
+  std::filesystem::path out;
   ParameterSources parameters;
   std::vector<std::string> words;  ///< the trial as given on the command line, without seeds, jobs and out
 };
