@@ -1,5 +1,5 @@
 # What is installed, by the Debian package that it belongs to: aisle, libaisle-dev (find_package(aisle) for other
-# projects) and aisle-doc.
+# projects), python3-aisle and aisle-doc.
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -27,6 +27,13 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/aisleConfig.cmake.in $
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/aisleConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES cmake/FindOpenCV.cmake ${PROJECT_BINARY_DIR}/aisleConfig.cmake ${PROJECT_BINARY_DIR}/aisleConfigVersion.cmake
   DESTINATION ${config})
+
+if(AISLE_PYTHON)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME python3-aisle)
+  install(DIRECTORY python/aisle DESTINATION lib/python3/dist-packages
+    FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+  install(TARGETS aisle_python DESTINATION lib/python3/dist-packages/aisle)
+endif()
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME aisle-doc)
 # As in the sources, so that the links from page to page lead somewhere.

@@ -1,5 +1,8 @@
 # Debian packages of what is installed: scripts/package.
 set(packages aisle libaisle-dev aisle-doc)
+if(AISLE_PYTHON)
+  list(APPEND packages python3-aisle)
+endif()
 
 # Whoever makes a package answers for it, as Debian's own tools ask.
 set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
@@ -58,6 +61,17 @@ set(CPACK_DEBIAN_LIBAISLE-DEV_PACKAGE_DEPENDS "pkg-config, ${libraries}")
 set(CPACK_COMPONENT_LIBAISLE-DEV_DESCRIPTION "The modules of aisle as static libraries, with their headers and a CMake
 configuration: find_package(aisle). They map laser logs, explore, localise,
 simulate and drive.")
+
+# Worlds and vehicles come with the program; a compiled module fits one version of Python.
+math(EXPR python_after "${Python_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON3-AISLE_PACKAGE_NAME python3-aisle)
+set(CPACK_DEBIAN_PYTHON3-AISLE_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON3-AISLE_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON3-AISLE_PACKAGE_DEPENDS "aisle (= ${AISLE_PACKAGE_VERSION}-1), python3-numpy, \
+python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${python_after})")
+set(CPACK_COMPONENT_PYTHON3-AISLE_DESCRIPTION "The package aisle for Python: recordings, buildings and sessions as numpy
+arrays; mapping, scan matching and detection; a simulated vehicle step by step;
+navigators written in Python.")
 
 set(CPACK_DEBIAN_AISLE-DOC_PACKAGE_NAME aisle-doc)
 set(CPACK_DEBIAN_AISLE-DOC_PACKAGE_SECTION doc)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the packages of a build and unpacks them: fails unless they hold what they promise, their program runs from there,
 # the service is hardened and off, and lintian (if it is here) finds no error.
-# usage: check.sh CPACK CPACK_CONFIG
+# usage: check.sh CPACK CPACK_CONFIG [PYTHON]     PYTHON: that the package python3-aisle is for; without it, there is none
 set -euo pipefail
 checker=$(realpath "$(dirname "$0")/../readme/check_links.sh")
 work=$(mktemp -d)
@@ -28,6 +28,20 @@ dpkg-deb --field "$work"/packages/libaisle-dev_*.deb Depends | grep -q 'libeigen
 "$root/bin/aisle" doctor --quiet
 "$root/bin/aisle" sim show crossings >/dev/null
 "$checker" "$root/share/doc/aisle-doc"
+
+if [ -n "${3:-}" ]; then
+  dpkg-deb --extract "$work"/packages/python3-aisle_*.deb "$work/root"
+  for depends in 'aisle (=' python3-numpy 'python3 (<<' libembree3; do
+    dpkg-deb --field "$work"/packages/python3-aisle_*.deb Depends | grep -qF "$depends" ||
+      { echo "python3-aisle does not depend on $depends"; exit 1; }
+  done
+  [ -s "$root/lib/python3/dist-packages/aisle/_aisle.pyi" ] || { echo "python3-aisle: type stubs are missing"; exit 1; }
+  (cd "$work" && PYTHONPATH="$root/lib/python3/dist-packages" "$3" -B -c "
+import aisle
+assert aisle.__file__.startswith('$root/'), aisle.__file__
+assert 'crossings' in aisle.shipped('worlds')
+aisle.Environment('crossings').reset(seed=1)")
+fi
 if command -v systemd-analyze >/dev/null; then
   systemd-analyze security --offline=yes --threshold=25 "$root/lib/systemd/system/aisle.service" >"$work/security" ||
     { cat "$work/security"; exit 1; }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "aisle/commands/known_building.hpp"
+#include "aisle/commands/packed_recording.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/formats/logs/relations.hpp"
@@ -13,7 +14,6 @@
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/learning/walls/relation_error.hpp"
 #include "aisle/missions/statistics.hpp"
-#include "imports/packed_recording.hpp"
 #include "localisation/log_localisation.hpp"
 
 namespace aisle {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "aisle/commands/output_directory.hpp"
+#include "aisle/commands/packed_recording.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/core/process_usage.hpp"
 #include "aisle/core/rounded.hpp"
@@ -19,7 +20,6 @@
 #include "aisle/learning/walls/relation_error.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "aisle/report/occupancy.hpp"
-#include "imports/packed_recording.hpp"
 #include "settled_log.hpp"
 
 namespace aisle {
@@ -56,50 +56,29 @@ Json stage_figures(const std::vector<MapStage>& stages, const std::vector<PoseRe
   return figures;
 }
 
-Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<PoseRelation>& relations,
-                const Pose2& T_vehicle_relations) {
-  const double cpu_s = process_cpu_s();
-  const double duration_s = log.scans.back().time_s - log.scans.front().time_s;
-  Json figures = {{"scans", log.scans.size()},
+Json figures_of(const RecordingMap& map) {
+  const MapResult& result = map.result;
+  const std::vector<LaserScan>& scans = map.log.scans;
+  const double duration_s = scans.back().time_s - scans.front().time_s;
+  Json figures = {{"scans", scans.size()},
                   {"path_m", rounded(result.path_m, 2)},
                   {"walls", result.walls.walls.size()},
                   {"orthogonal_share", rounded(result.walls.orthogonal_share(), 4)},
                   {"no_dominant_direction", !result.has_dominant_direction},
                   {"loop_closures", result.loop_closures.size()},
                   {"odometry_delay_s", rounded(result.odometry_delay_s, 4)},
-                  {"cpu_s", rounded(cpu_s, 3)},
-                  {"realtime_factor", rounded(duration_s / cpu_s, 1)},
-                  {"peak_rss_mb", rounded(process_peak_rss_mb(), 1)}};
-  if (relations.empty()) return figures;
-  figures["relations"] = {{"count", relations.size()},
+                  {"cpu_s", rounded(map.cpu_s, 3)},
+                  {"realtime_factor", rounded(duration_s / map.cpu_s, 1)},
+                  {"peak_rss_mb", rounded(map.peak_rss_mb, 1)}};
+  if (map.relations.empty()) return figures;
+  const Pose2& T_vehicle_relations = map.T_vehicle_relations;
+  figures["relations"] = {{"count", map.relations.size()},
                           {"frame_x_m", rounded(T_vehicle_relations.x, 4)},
                           {"frame_y_m", rounded(T_vehicle_relations.y, 4)}};
-  figures.update(errors_at(T_vehicle_relations, result.T_map_vehicle, relations));
+  figures.update(errors_at(T_vehicle_relations, result.T_map_vehicle, map.relations));
   if (!result.T_map_vehicle_online.empty())
-    figures["online"] = errors_at(T_vehicle_relations, result.T_map_vehicle_online, relations);
+    figures["online"] = errors_at(T_vehicle_relations, result.T_map_vehicle_online, map.relations);
   return figures;
-}
-
-const char* name_of(Trust trust) {
-  switch (trust) {
-    case Trust::kGood:
-      return "good";
-    case Trust::kDoubtful:
-      return "doubtful";
-    case Trust::kPoor:
-      return "poor";
-    case Trust::kUnknown:
-      break;
-  }
-  return "unknown";
-}
-
-std::string reason_of(const MapJudgement& judgement) {
-  if (trust_in(judgement) == Trust::kUnknown)
-    return fmt::format("{} readings are too few to judge the map by", judgement.readings);
-  return fmt::format(
-      "{:.0f} % of the readings end on a wall of the map, {:.1f} % would have to pass through one",
-      100 * judgement.fit_share, 100 * judgement.pass_share);
 }
 
 /// How far the map can be trusted, with the reason.
@@ -168,17 +147,16 @@ std::string mapping_text(const Json& figures) {
   return text;
 }
 
-Result<std::map<std::string, std::string>> write_results(const MapResult& result, const LaserLog& log,
-                                                         const std::string& title, MapMode mode,
+Result<std::map<std::string, std::string>> write_results(const RecordingMap& map, MapMode mode,
                                                          const OutputDirectory& out) {
-  const Building building{title, result.has_dominant_direction, result.walls};
-  const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, title};
+  const MapResult& result = map.result;
+  const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, map.name};
   std::vector<double> stamps_s;
-  for (const LaserScan& scan : log.scans) stamps_s.push_back(scan.stamp_s);
-  const OccupancyImage occupancy = occupancy_of(result.walls, log, result.T_map_vehicle);
+  for (const LaserScan& scan : map.log.scans) stamps_s.push_back(scan.stamp_s);
+  const OccupancyImage occupancy = occupancy_of(result.walls, map.log, result.T_map_vehicle);
   const bool is_png = mode == MapMode::kScale;
   const std::string image = is_png ? kScaleImage : "map.pgm";
-  return out.write({{"building", "building.json", building_json(building)},
+  return out.write({{"building", "building.json", building_json(building_of(map))},
                     {"picture_svg", "map.svg", svg(picture)},
                     {"picture_png", "map.png", png(picture)},
                     {"trajectory", "trajectory.tum", tum_text(stamps_s, result.T_map_vehicle)},
@@ -203,85 +181,136 @@ Problems problems_of(const MapOptions& options) {
   return problems;
 }
 
-std::string title_of(const std::filesystem::path& log) {
+std::string name_without_endings(const std::filesystem::path& log) {
   const std::string name = log.filename().string();
   return name.substr(0, name.find('.'));
 }
 
-Result<Outcome> map_recording(const MapOptions& options, Console& console) {
+Result<SettledLog> read_log(const MapOptions& options, Console& console) {
+  auto settled = options.rules == MapRules::kPublished
+                     ? read_unsettled_log(options.log, options.reading)
+                     : read_settled_log(options.log, options.reading, console.progress);
+  if (settled && options.odometry_delay_s && !settled->known.odometry_delay_s)
+    settled->known.odometry_delay_s = options.odometry_delay_s;
+  return settled;
+}
+
+MapResult build(const MapOptions& options, const MapParams& params, const SettledLog& settled,
+                Progress& progress) {
+  if (options.rules == MapRules::kRefined)
+    return build_map(settled.log, params, settled.known, options.stages, progress);
+  return build_published_map(settled.log, params.segments, PublishedParams{},
+                             options.odometry_delay_s.value_or(0), progress);
+}
+
+/// Where on the vehicle the relations are of a point other than its origin.
+void find_point_of_relations(const MapOptions& options, RecordingMap& map) {
+  const bool is_given = options.reading.T_vehicle_laser.has_value();
+  if (map.relations.empty() || is_given) return;
+  const Pose2& T = map.T_vehicle_relations = frame_of_relations(map.result.T_map_vehicle, map.relations);
+  if (T.position().norm() == 0) return;
+  map.warnings.push_back({{options.relations->string()},
+                          fmt::format("the relations are of a point {:.3f} m ahead of and {:.3f} m "
+                                      "left of the vehicle's origin by the "
+                                      "odometry; the errors are taken there",
+                                      T.x, T.y)});
+}
+
+Result<RecordingMap> map_unpacked(const MapOptions& options, Console& console) {
   MapParams params;
   FieldList fields = fields_of(params);
   Problems problems = problems_of(options);
   const Problems more = options.parameters.apply_to(fields);
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) return problems;
-  auto settled = options.rules == MapRules::kPublished
-                     ? read_unsettled_log(options.log, options.reading)
-                     : read_settled_log(options.log, options.reading, console.progress);
+  auto settled = read_log(options, console);
   if (!settled) return settled.problems();
-  if (options.odometry_delay_s && !settled->known.odometry_delay_s)
-    settled->known.odometry_delay_s = options.odometry_delay_s;
-  LaserLog& log = settled->log;
-  std::vector<PoseRelation> relations;
+  RecordingMap map;
   if (options.relations) {
-    auto found = read_relations(*options.relations, log);
+    auto found = read_relations(*options.relations, settled->log);
     if (!found) return found.problems();
-    relations = std::move(*found);
+    map.relations = std::move(*found);
   }
-  const auto directory = OutputDirectory::open_if_named(
-      options.out, options.force,
-      {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", kScaleImage, "map.yaml"});
-  if (!directory) return directory.problems();
 
-  const MapResult result = options.rules == MapRules::kRefined
-                               ? build_map(log, params, settled->known, options.stages, console.progress)
-                               : build_published_map(log, params.segments, PublishedParams{},
-                                                     options.odometry_delay_s.value_or(0), console.progress);
-
-  for (Problem& warning : at_file(result.warnings, options.log.string()))
-    settled->warnings.push_back(std::move(warning));
-
-  Outcome outcome{.verb = "map"};
-  log.laser().T_vehicle_laser = result.T_vehicle_laser;
-  const bool is_given = options.reading.T_vehicle_laser.has_value();
-  const Pose2 T_vehicle_relations =
-      relations.empty() || is_given ? Pose2{} : frame_of_relations(result.T_map_vehicle, relations);
-  if (T_vehicle_relations.position().norm() > 0) {
-    settled->warnings.push_back({{options.relations->string()},
-                                 fmt::format("the relations are of a point {:.3f} m ahead of and {:.3f} m "
-                                             "left of the vehicle's origin by the "
-                                             "odometry; the errors are taken there",
-                                             T_vehicle_relations.x, T_vehicle_relations.y)});
-  }
-  warn_of(settled->warnings, console);
-  outcome.figures = figures_of(result, log, relations, T_vehicle_relations);
+  map.name = name_without_endings(options.log);
+  map.result = build(options, params, *settled, console.progress);
+  map.log = std::move(settled->log);
+  map.log.laser().T_vehicle_laser = map.result.T_vehicle_laser;
+  map.warnings = std::move(settled->warnings);
+  for (Problem& warning : at_file(map.result.warnings, options.log.string()))
+    map.warnings.push_back(std::move(warning));
+  find_point_of_relations(options, map);
+  warn_of(map.warnings, console);
+  map.cpu_s = process_cpu_s();
+  map.peak_rss_mb = process_peak_rss_mb();
   if (options.stages) {
     std::vector<MapStage> stages =
-        published_stages(log, params.segments, result.odometry_delay_s, console.progress);
-    stages.insert(stages.end(), result.stages.begin(), result.stages.end());
-    outcome.figures["stages"] = stage_figures(stages, relations, T_vehicle_relations);
+        published_stages(map.log, params.segments, map.result.odometry_delay_s, console.progress);
+    map.result.stages.insert(map.result.stages.begin(), stages.begin(), stages.end());
   }
-  outcome.text = mapping_text(outcome.figures);
-  add_trust(judge_map(result.walls, log, result.T_map_vehicle), outcome);
-  outcome.figures["warnings"] = warnings_json(settled->warnings);
-  if (*directory) {
-    auto written = write_results(result, log, title_of(options.log), options.map_mode, **directory);
-    if (!written) return written.problems();
-    outcome.files = std::move(*written);
-    outcome.text += fmt::format("see {}\n", outcome.files["picture_png"]);
-  }
-  return outcome;
+  map.judgement = judge_map(map.result.walls, map.log, map.result.T_map_vehicle);
+  return map;
 }
 
 }  // namespace
+
+const char* name_of(Trust trust) {
+  switch (trust) {
+    case Trust::kGood:
+      return "good";
+    case Trust::kDoubtful:
+      return "doubtful";
+    case Trust::kPoor:
+      return "poor";
+    case Trust::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string reason_of(const MapJudgement& judgement) {
+  if (trust_in(judgement) == Trust::kUnknown)
+    return fmt::format("{} readings are too few to judge the map by", judgement.readings);
+  return fmt::format(
+      "{:.0f} % of the readings end on a wall of the map, {:.1f} % would have to pass through one",
+      100 * judgement.fit_share, 100 * judgement.pass_share);
+}
+
+Building building_of(const RecordingMap& map) {
+  return {map.name, map.result.has_dominant_direction, map.result.walls};
+}
 
 Outcome map_parameters() {
   MapParams params;
   return parameter_listing("map", fields_of(params));
 }
 
+Result<RecordingMap> map_recording(const MapOptions& options, Console& console) {
+  return with_unpacked(options, &MapOptions::log, console, map_unpacked);
+}
+
 Result<Outcome> run_map(const MapOptions& options, Console& console) {
-  return with_unpacked(options, &MapOptions::log, console, map_recording);
+  const auto directory = OutputDirectory::open_if_named(
+      options.out, options.force,
+      {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", kScaleImage, "map.yaml"});
+  if (!directory) return directory.problems();
+  const auto map = map_recording(options, console);
+  if (!map) return map.problems();
+
+  Outcome outcome{.verb = "map"};
+  outcome.figures = figures_of(*map);
+  if (options.stages)
+    outcome.figures["stages"] = stage_figures(map->result.stages, map->relations, map->T_vehicle_relations);
+  outcome.text = mapping_text(outcome.figures);
+  add_trust(map->judgement, outcome);
+  outcome.figures["warnings"] = warnings_json(map->warnings);
+  if (*directory) {
+    auto written = write_results(*map, options.map_mode, **directory);
+    if (!written) return written.problems();
+    outcome.files = std::move(*written);
+    outcome.text += fmt::format("see {}\n", outcome.files["picture_png"]);
+  }
+  return outcome;
 }
 
 }  // namespace aisle

@@ -1,10 +1,13 @@
 #include "aisle/commands/shipped_files.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
+#include <link.h>
 
 #include <fstream>
 #include <initializer_list>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 namespace aisle {
@@ -12,13 +15,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Built programs are in build/PRESET/bin of the source tree, installed ones in bin beside share.
-constexpr int kLevelsUp = 4;
+/// Built programs are in build/PRESET/bin of the source tree, installed ones in bin beside share; Python's
+/// module is in build/PRESET/python/aisle or lib/python3/dist-packages/aisle.
+constexpr int kLevelsUp = 5;
 
-/// The first of these that exists, in the program's directory or one above it; empty if none does.
+/// The file that this code is in: the running program, or a module that it has loaded.
+fs::path own_file(std::error_code& error) {
+  Dl_info info{};
+  void* loaded = nullptr;
+  const bool is_known =
+      ::dladdr1(reinterpret_cast<const void*>(&own_file), &info, &loaded, RTLD_DL_LINKMAP) != 0;
+  const std::string_view name = is_known ? static_cast<const link_map*>(loaded)->l_name : "";
+  return name.empty() ? fs::read_symlink("/proc/self/exe", error) : fs::canonical(name, error);
+}
+
+/// The first of these that exists, beside this code or in a directory above it; empty if none does.
 fs::path beside_program(std::initializer_list<fs::path> relative) {
   std::error_code error;
-  fs::path directory = fs::read_symlink("/proc/self/exe", error).parent_path();
+  fs::path directory = own_file(error).parent_path();
   for (int level = 0; level < kLevelsUp && !error; ++level, directory = directory.parent_path()) {
     for (const fs::path& path : relative) {
       if (fs::path found = directory / path; fs::exists(found, error)) return found;

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "aisle/report/detection_overlay.hpp"
-#include "aisle/vision/floor/base_lines.hpp"
-#include "aisle/vision/lines/vertical_lines.hpp"
+#include "aisle/vision/floor/line_finder.hpp"
 #include "detection/image_detector.hpp"
 
 namespace aisle {
@@ -12,51 +11,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Vertical lines and wall-floor edges of one image; each detector needs the other's result.
-class LineFinder {
+/// The parameters are known only when the first image comes.
+class LineDetector : public ImageDetector {
  public:
-  explicit LineFinder(const std::optional<CameraModel>& camera) : camera_(camera) {}
+  explicit LineDetector(const std::optional<CameraModel>& camera) : camera_(camera) {}
 
-  void describe(FieldList& fields) {
-    fields.group("verticals", verticals_params_);
-    fields.group("baselines", base_lines_params_);
-  }
+  void describe(FieldList& fields) override { params_.describe(fields); }
 
-  struct Lines {
-    std::vector<VerticalLine> verticals;
-    BaseLines base_lines;
-  };
-
-  Lines find(const Image& image) {
-    if (!verticals_) {
-      verticals_.emplace(verticals_params_, camera_);
-      base_lines_.emplace(base_lines_params_, camera_);
-    }
-    const Image grey = to_grey(image);
-    Lines lines;
-    lines.verticals = verticals_->detect(grey);
-    lines.base_lines = base_lines_->detect(grey, lines.verticals);
-    stand_on_floor(grey, lines.base_lines, base_lines_params_, lines.verticals);
-    return lines;
+ protected:
+  FoundLines find(const Image& image) {
+    if (!finder_) finder_.emplace(params_, camera_);
+    return finder_->find(image);
   }
 
  private:
   std::optional<CameraModel> camera_;
-  VerticalLineParams verticals_params_;
-  BaseLineParams base_lines_params_;
-  std::optional<VerticalLineDetector> verticals_;  // made once the parameters are known
-  std::optional<BaseLineDetector> base_lines_;
+  LineFinderParams params_;
+  std::optional<LineFinder> finder_;
 };
 
-class VerticalsDetector final : public ImageDetector {
+class VerticalsDetector final : public LineDetector {
  public:
-  explicit VerticalsDetector(const std::optional<CameraModel>& camera) : finder_(camera) {}
-
-  void describe(FieldList& fields) override { finder_.describe(fields); }
+  using LineDetector::LineDetector;
 
   Detection detect(const Image& image, bool is_drawn) override {
     Detection detection;
-    const auto& verticals = detection.verticals = finder_.find(image).verticals;
+    const auto& verticals = detection.verticals = find(image).verticals;
     Json& listed = detection.figures["verticals"] = Json::array();
     for (const VerticalLine& line : verticals) {
       listed.push_back({{"top", pixel_json(line.top_px)},
@@ -70,23 +50,18 @@ class VerticalsDetector final : public ImageDetector {
     if (is_drawn) detection.overlay_png = verticals_overlay_png(image, verticals);
     return detection;
   }
-
- private:
-  LineFinder finder_;
 };
 
 Json line_json(const std::optional<BaseLine>& line) {
   return line ? polyline_json(*line) : Json(nullptr);
 }
 
-class BaseLinesDetector final : public ImageDetector {
+class BaseLinesDetector final : public LineDetector {
  public:
-  explicit BaseLinesDetector(const std::optional<CameraModel>& camera) : finder_(camera) {}
-
-  void describe(FieldList& fields) override { finder_.describe(fields); }
+  using LineDetector::LineDetector;
 
   Detection detect(const Image& image, bool is_drawn) override {
-    const BaseLines lines = finder_.find(image).base_lines;
+    const BaseLines lines = find(image).base_lines;
     Detection detection;
     detection.figures = {{"right_baseline", line_json(lines.right)},
                          {"left_baseline", line_json(lines.left)}};
@@ -95,9 +70,6 @@ class BaseLinesDetector final : public ImageDetector {
     if (is_drawn) detection.overlay_png = base_lines_overlay_png(image, lines);
     return detection;
   }
-
- private:
-  LineFinder finder_;
 };
 
 }  // namespace

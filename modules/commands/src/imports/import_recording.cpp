@@ -6,13 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "aisle/commands/packed_recording.hpp"
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/core/rounded.hpp"
 #include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "imports/imported_recording.hpp"
 #include "imports/imported_vehicle.hpp"
-#include "imports/packed_recording.hpp"
 
 namespace aisle {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/commands/packed_recording.hpp"
 #include "aisle/formats/sessions/imported_session.hpp"
 #include "aisle/formats/sessions/session_cycles.hpp"
 #include "aisle/formats/sessions/session_summary.hpp"
-#include "imports/packed_recording.hpp"
 #include "sessions/recording_info.hpp"
 
 namespace aisle {
