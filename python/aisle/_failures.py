@@ -19,3 +19,6 @@ class InputError(ValueError):
     def __init__(self, problems: list[Problem]) -> None:
         self.problems = list(problems)  #: at least one
         super().__init__("\n".join(map(str, self.problems)))
+
+    def __reduce__(self) -> tuple[type, tuple[list[Problem]]]:
+        return InputError, (self.problems,)

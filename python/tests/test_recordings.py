@@ -1,6 +1,7 @@
 """Recordings as arrays."""
 
 import gc
+import pickle
 import unittest
 
 import numpy as np
@@ -63,6 +64,11 @@ class BadRecordings(unittest.TestCase):
         self.assertEqual(str(refused.exception), refusal("map", text))
         self.assertIsInstance(refused.exception, ValueError)
         self.assertEqual(refused.exception.problems[0].where, str(text))
+
+    def test_are_refused_alike_in_another_process(self):
+        refused = aisle.InputError([aisle.Problem("a.log:3", "is no scan"), aisle.Problem("", "is empty")])
+        again = pickle.loads(pickle.dumps(refused))
+        self.assertEqual((str(again), again.problems), ("a.log:3: is no scan\nis empty", refused.problems))
 
     def test_that_are_not_there_are_an_os_error(self):
         with self.assertRaises(FileNotFoundError) as refused:

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "aisle/simulation/vehicle/camera_sensor.hpp"
-#include "aisle/vision/floor/base_lines.hpp"
+#include "aisle/vision/floor/line_finder.hpp"
 
 namespace aisle {
 namespace {
@@ -108,9 +108,7 @@ std::vector<VerticalLine> found_lines(const Pose2& T_world_vehicle) {
   CameraMoment moment;
   moment.T_world_vehicle = T_world_vehicle;
   const Image grey = CameraSensor(camera(), {}, 1).take(world, moment);
-  std::vector<VerticalLine> lines = VerticalLineDetector().detect(grey);
-  stand_on_floor(grey, BaseLineDetector().detect(grey, lines), {}, lines);
-  return lines;
+  return LineFinder().find(grey).verticals;
 }
 
 TEST(RenderedLines, NineInTenCornersAndFramesAreFoundAndCornersStandWithinFivePixels) {

@@ -6,6 +6,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/random.hpp"
+#include "aisle/vision/floor/line_finder.hpp"
 #include "drawn_corridor.hpp"
 
 namespace aisle {
@@ -26,17 +27,8 @@ double distance_px(const std::vector<Vec2>& points, const BaseLine& line) {
   return greatest;
 }
 
-struct Seen {
-  std::vector<VerticalLine> verticals;
-  BaseLines base_lines;
-};
-
-Seen look_at(const Image& grey, const std::optional<CameraModel>& camera = std::nullopt) {
-  Seen seen;
-  seen.verticals = VerticalLineDetector({}, camera).detect(grey);
-  seen.base_lines = BaseLineDetector({}, camera).detect(grey, seen.verticals);
-  stand_on_floor(grey, seen.base_lines, {}, seen.verticals);
-  return seen;
+FoundLines look_at(const Image& grey, const std::optional<CameraModel>& camera = std::nullopt) {
+  return LineFinder({}, camera).find(grey);
 }
 
 void expect_base_lines(const DrawnCorridor& corridor, const BaseLines& lines, double tolerance_px) {
