@@ -9,11 +9,11 @@ namespace {
 
 /// Mean grey level along a line, 1 .. 2 % of the width beside it.
 double tone_beside(const Image& grey, const VerticalLine& line, int side) {
-  constexpr int kSamples = 24, kAcross = 4;
+  constexpr int kAlong = 24, kAcross = 4;
   const Vec2 along = line.bottom_px - line.top_px;
   double sum = 0;
-  for (int i = 0; i < kSamples; ++i) {
-    const Vec2 p = line.top_px + (i + 0.5) / kSamples * along;
+  for (int i = 0; i < kAlong; ++i) {
+    const Vec2 p = line.top_px + (i + 0.5) / kAlong * along;
     for (int j = 0; j < kAcross; ++j) {
       const double u = p.x() + side * grey.width_px * (0.01 + 0.01 * j / kAcross);
       const int column = std::clamp(static_cast<int>(std::lround(u)), 0, grey.width_px - 1);
@@ -21,7 +21,7 @@ double tone_beside(const Image& grey, const VerticalLine& line, int side) {
       sum += grey.row(row)[column];
     }
   }
-  return sum / (kSamples * kAcross);
+  return sum / (kAlong * kAcross);
 }
 
 LineLook look_of(const Image& grey, const VerticalLine& line) {
