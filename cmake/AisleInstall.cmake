@@ -39,6 +39,6 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME aisle-doc)
 # As in the sources, so that the links from page to page lead somewhere.
 set(pages ${CMAKE_INSTALL_DATADIR}/doc/aisle-doc)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md DESTINATION ${pages})
-install(DIRECTORY docs DESTINATION ${pages})
+install(DIRECTORY docs DESTINATION ${pages} PATTERN site EXCLUDE)
 install(DIRECTORY benchmarks/reports DESTINATION ${pages}/benchmarks)
 install(DIRECTORY examples DESTINATION ${pages})

@@ -9,7 +9,7 @@ namespace aisle {
 
 /// A camera as the vehicle knows it: its calibration. What the lens really does is the simulator's business.
 struct CameraDescription {
-  std::string name = "front";  ///< its images are the topic /camera/<name>/image_raw
+  std::string name = "front";  ///< its images are the topic `/camera/NAME/image_raw`
   int width_px = 640;
   int height_px = 480;
   CameraIntrinsics intrinsics;

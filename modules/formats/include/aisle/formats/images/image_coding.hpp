@@ -5,9 +5,9 @@ namespace aisle {
 /// How a session stores images.
 struct ImageCoding {
   enum class Kind {
-    kRaw,   ///< /camera/<name>/image_raw
-    kJpeg,  ///< /camera/<name>/image_raw/compressed; lossy, and the navigator sees the decoded image
-    kPng,   ///< /camera/<name>/image_raw/compressed
+    kRaw,   ///< `/camera/NAME/image_raw`
+    kJpeg,  ///< `/camera/NAME/image_raw/compressed`; lossy, and the navigator sees the decoded image
+    kPng,   ///< `/camera/NAME/image_raw/compressed`
   };
   Kind kind = Kind::kJpeg;
   int jpeg_quality = 90;  ///< 1 to 100
