@@ -25,6 +25,11 @@ dpkg-deb --field "$work"/packages/aisle_*.deb Depends | grep -q 'libembree3' || 
 dpkg-deb --field "$work"/packages/libaisle-dev_*.deb Depends | grep -q 'libeigen3-dev' ||
   { echo "libaisle-dev: dependencies are missing"; exit 1; }
 
+if command -v python3 >/dev/null; then
+  here=$(realpath "$(dirname "$0")")
+  "$here/../../scripts/sbom" "$root/bin/aisle" "$work/aisle.spdx.json"
+  "$here/check_sbom.py" "$work/aisle.spdx.json" "$(dpkg-deb --field "$work"/packages/aisle_*.deb Depends)"
+fi
 "$root/bin/aisle" doctor --quiet
 "$root/bin/aisle" sim show crossings >/dev/null
 "$checker" "$root/share/doc/aisle-doc"
