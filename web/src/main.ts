@@ -2,8 +2,10 @@ import { building_tab } from "./building/building_tab";
 import { drive_tab } from "./drive/drive_tab";
 import { maze_tab } from "./maze/maze_tab";
 import { socket_address, take_token_from_address } from "./page/access";
+import { follow_address } from "./page/address";
 import { make_app } from "./page/app";
 import { element } from "./page/element";
+import { unseen } from "./page/elsewhere";
 import { header } from "./page/header";
 import { Notices } from "./page/notices";
 import { announce_results } from "./page/results";
@@ -31,20 +33,17 @@ document.body.append(
   main,
 );
 
-function enter(): void {
-  const wanted = location.hash.slice(1);
-  app.tab.value = tabs.some(({ name }) => name === wanted) ? wanted : "drive";
-}
-
+const show_title = () => {
+  const shown = tabs.find(({ name }) => name === app.tab.value);
+  document.title = [unseen.value, shown?.title, "· aisle"].filter(Boolean).join(" ");
+};
 app.tab.watch((shown) => {
-  for (const { name, title, element: container } of tabs) {
-    container.hidden = name !== shown;
-    if (name === shown) document.title = `${title} · aisle`;
-  }
+  for (const { name, element: container } of tabs) container.hidden = name !== shown;
+  show_title();
 });
-addEventListener("hashchange", enter);
+unseen.watch(show_title);
 app.connection.trouble.watch((problem) => {
   if (problem !== "") notices.show(problem, "trouble");
 });
 announce_results(app);
-enter();
+follow_address(app, tabs);

@@ -7,6 +7,7 @@ import { UndoList } from "../page/undo_list";
 import { building_points } from "../plan/building_geometry";
 import { building_layer } from "../plan/building_layer";
 import { bounds_of } from "../plan/geometry";
+import { shown_of_building } from "../plan/legend";
 import { PlanCanvas } from "../plan/plan_canvas";
 import { with_place, without_place } from "./building_edits";
 import type { Building } from "./building_file";
@@ -33,6 +34,8 @@ export function building_tab(app: App): Tab {
   const words = text.building;
   const canvas = new PlanCanvas(words.plan);
   canvas.hide_follow();
+  canvas.subject = () => store.chosen.value;
+  canvas.shown = () => (history ? shown_of_building(history.present) : new Set());
   const histories = new Map<string, UndoList<Building>>();
   let history: UndoList<Building> | undefined;
 
@@ -41,8 +44,9 @@ export function building_tab(app: App): Tab {
     edit: (change) => edit(change),
     marked: (part) => set_text(hint, part ? words.again(words.parts[part.list]) : tool_hint),
     zone_speed_mps: () => Number(zone_speed.value),
-    pick_place: () => {
+    pick_place: (heading_deg) => {
       naming.hidden = false;
+      if (heading_deg !== undefined) heading.value = String(heading_deg);
       name.focus();
     },
   });
@@ -103,11 +107,8 @@ export function building_tab(app: App): Tab {
   );
   const places = element("ul", { class: "places" });
 
-  const building_list = select(
-    words.building,
-    [],
-    (chosen) => void app.notices.attempt(store.choose(chosen)),
-  );
+  const choose = (chosen: string) => void app.notices.attempt(store.choose(chosen));
+  const building_list = select(words.building, [], choose);
   const tool_list = select(words.tool, tool_labels, (tool) => {
     naming.hidden = true;
     slow.hidden = tool !== "slow_zone";
@@ -204,5 +205,10 @@ export function building_tab(app: App): Tab {
       places,
     ),
   );
-  return { name: "building", title: text.tabs.building, element: tab };
+  return {
+    name: "building",
+    title: text.tabs.building,
+    element: tab,
+    choice: { name: store.chosen, choose },
+  };
 }

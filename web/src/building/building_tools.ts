@@ -1,7 +1,7 @@
 import { colour } from "../page/theme";
 import { text } from "../text";
 import { draw_dots, draw_line } from "../plan/draw";
-import { rectangle } from "../plan/geometry";
+import { direction_deg, rectangle } from "../plan/geometry";
 import type { Point } from "../plan/geometry";
 import type { Layer, PlanCanvas, PlanTool } from "../plan/plan_canvas";
 import {
@@ -29,7 +29,8 @@ interface Editing {
   marked(part: FoundPart | undefined): void;
   /** Applies the change as a new version; an error that it throws is shown as a notice. */
   edit(change: (building: Building) => Building): void;
-  pick_place(at: Point): void;
+  /** A position was clicked or, with a heading, dragged from. */
+  pick_place(heading_deg: number | undefined): void;
   /** Of the next slow zone. */
   zone_speed_mps(): number;
 }
@@ -55,6 +56,8 @@ export class BuildingTools {
   readonly layer: Layer;
   /** Position of the place that is about to be named. */
   place: Point | undefined;
+  /** Where its heading points to. */
+  #headed: Point | undefined;
   #line: [Point, Point] | undefined;
   /** The line is a zone's diagonal. */
   #is_area = false;
@@ -74,7 +77,10 @@ export class BuildingTools {
       const points = building && this.#marked ? part_points(building, this.#marked) : [];
       draw_line(context, view, points, { colour: colour("trouble"), width_px: 7 });
       draw_dots(context, view, points, colour("trouble"), 6);
-      if (this.place) draw_dots(context, view, [this.place], colour("path"), 6);
+      if (!this.place) return;
+      draw_dots(context, view, [this.place], colour("path"), 6);
+      const heading = this.#headed ? [this.place, this.#headed] : [];
+      draw_line(context, view, heading, { colour: colour("path"), width_px: 2 });
     };
   }
 
@@ -90,11 +96,9 @@ export class BuildingTools {
     if (name === "look") return {};
     if (name === "place") {
       return {
-        click: (at) => {
-          this.place = at;
-          this.editing.pick_place(at);
-          this.canvas.redraw();
-        },
+        click: (at) => this.#place_at([at], true),
+        drag: (...[from, to, ended]) => this.#place_at([from, to], ended),
+        cancel: () => this.#place_at([], false),
       };
     }
     if (name === "delete")
@@ -115,6 +119,13 @@ export class BuildingTools {
         this.canvas.redraw();
       },
     };
+  }
+
+  /** @param drawn the position, and where its heading points to */
+  #place_at(drawn: Point[], ended: boolean): void {
+    [this.place, this.#headed] = drawn;
+    if (ended && this.place) this.editing.pick_place(this.#headed && direction_deg(this.place, this.#headed));
+    this.canvas.redraw();
   }
 
   #found(at: Point): FoundPart | undefined {

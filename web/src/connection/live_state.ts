@@ -15,6 +15,8 @@ export interface LiveState {
   stamp_s: number;
   /** Driven on the map that is shown. */
   distance_m?: number;
+  /** How many events the mission has had. */
+  events?: number;
   /** Where the odometry of the waiting vehicle began on the map of the last mission. */
   map_origin?: { x_m: number; y_m: number; heading_deg: number };
   rate: number;

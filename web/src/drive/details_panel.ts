@@ -3,6 +3,7 @@ import type { PoseWithCovarianceStamped } from "../connection/messages";
 import type { App } from "../page/app";
 import { Age } from "../page/age";
 import { element, set_text } from "../page/element";
+import { position_text, speed_text } from "../page/units";
 import { text } from "../text";
 import { ellipse_of } from "../plan/geometry";
 
@@ -81,7 +82,7 @@ export function details_panel(app: App, layers: HTMLElement): HTMLElement {
       state ? [state.mode, state.mission, state.task].filter(Boolean).join(" · ") : "–",
     );
     set_text(rows.clock.value, state ? `${state.stamp_s.toFixed(1)} s` : "–");
-    if (state?.paused) set_text(rows.command.value, words.stands);
+    if (state?.paused) set_text(rows.command.value, words.stands(speed_text(0)));
   });
   app.connection.listen("/decision", (message) => {
     const { command, state, why, status } = json_of<Decision>(message);
@@ -89,20 +90,16 @@ export function details_panel(app: App, layers: HTMLElement): HTMLElement {
     set_text(rows.state.value, status === "going" ? state : `${state} (${status})`);
     set_text(rows.why.value, why === "" ? "–" : why);
     const turn = command.turn_rate_rad_s !== 0 ? command.turn_rate_rad_s : command.steering_rad;
-    const unit = command.turn_rate_rad_s !== 0 ? "°/s" : "°";
-    set_text(
-      rows.command.value,
-      `${command.speed_mps.toFixed(2)} m/s, ${(turn * degrees).toFixed(1)}${unit}`,
-    );
+    const per = command.turn_rate_rad_s !== 0 ? "°/s" : "°";
+    set_text(rows.command.value, `${speed_text(command.speed_mps)}, ${(turn * degrees).toFixed(1)}${per}`);
   });
   app.connection.listen("/pose", (message) => {
     pose_age.renew();
     const { pose, covariance } = (message as PoseWithCovarianceStamped).pose;
     const { a_m } = ellipse_of(covariance[0] ?? 0, covariance[1] ?? 0, covariance[7] ?? 0);
     const heading = Math.sqrt(Math.max(0, covariance[35] ?? 0)) * degrees;
-    const { x, y } = pose.position;
     const sigma = a_m > 0 ? ` · σ ${(a_m * 100).toFixed(1)} cm, ${heading.toFixed(1)}°` : "";
-    set_text(rows.pose.value, `${x.toFixed(2)}, ${y.toFixed(2)} m${sigma}`);
+    set_text(rows.pose.value, `${position_text(pose.position, 2)}${sigma}`);
   });
   app.connection.listen("/match", (message) => {
     const { quality, text: words_of } = json_of<Match>(message);

@@ -4,6 +4,7 @@ import type { App, Tab } from "../page/app";
 import { button, element } from "../page/element";
 import type { SessionStore } from "../sessions/session_store";
 import { text } from "../text";
+import { timeline } from "../timeline/timeline";
 import { details_panel } from "./details_panel";
 import { hand_panel } from "./hand_panel";
 import { mission_panel } from "./mission_panel";
@@ -46,18 +47,13 @@ export function drive_tab(app: App, sessions: SessionStore): Tab {
   const store = new BuildingStore(app);
   const { plan, layers } = plan_stage(app, store);
   const hand = hand_panel(app);
+  const mission = mission_panel(app, store, sessions);
   const tab = element(
     "div",
     { class: "tab drive-tab" },
-    stage(app, plan),
+    element("div", { class: "stage-area" }, stage(app, plan), timeline(app)),
     hand.steering,
-    element(
-      "div",
-      { class: "sheet" },
-      mission_panel(app, store, sessions),
-      hand.panel,
-      details_panel(app, layers),
-    ),
+    element("div", { class: "sheet" }, mission.panel, hand.panel, details_panel(app, layers)),
   );
-  return { name: "drive", title: text.tabs.drive, element: tab };
+  return { name: "drive", title: text.tabs.drive, element: tab, choice: mission.choice };
 }

@@ -1,6 +1,7 @@
 import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
 import { button, element, set_text } from "../page/element";
+import { position_text } from "../page/units";
 import { text } from "../text";
 import { colour } from "../page/theme";
 import { draw_dots } from "../plan/draw";
@@ -38,7 +39,7 @@ export class Goal {
     }
     this.#at = at;
     this.element.hidden = false;
-    set_text(this.#where, text.plan.goal(at.x.toFixed(2), at.y.toFixed(2), this.store.chosen.value));
+    set_text(this.#where, text.plan.goal(position_text(at, 2), this.store.chosen.value));
     this.changed();
   }
 

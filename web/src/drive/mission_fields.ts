@@ -1,13 +1,12 @@
 import type { BuildingStore } from "../building/building_store";
 import { element } from "../page/element";
+import { name_pattern } from "../page/names";
 import type { SessionStore } from "../sessions/session_store";
 import { text } from "../text";
 import { fresh_name } from "./mission_forms";
 import type { Field, MissionForm } from "./mission_forms";
 
 type Input = HTMLInputElement | HTMLSelectElement;
-
-const name_pattern = "[A-Za-z0-9_\\-][A-Za-z0-9_.\\-]{0,63}";
 
 function option(value: string, label = value): HTMLOptionElement {
   return element("option", { value }, label);

@@ -1,7 +1,10 @@
 import type { BuildingStore } from "../building/building_store";
-import type { App } from "../page/app";
+import type { App, Choice } from "../page/app";
 import { button, element, panel, set_text, select } from "../page/element";
+import { notify_switch } from "../page/elsewhere";
+import { Signal } from "../page/signal";
 import { short_duration } from "../page/status";
+import { length_text } from "../page/units";
 import type { SessionStore } from "../sessions/session_store";
 import { text } from "../text";
 import { mission_forms, start_request } from "./mission_forms";
@@ -9,16 +12,23 @@ import type { MissionForm } from "./mission_forms";
 import { MissionFields } from "./mission_fields";
 
 /** The form of the mission that is chosen; while one runs, how far it is, and how to pause and end it. */
-export function mission_panel(app: App, store: BuildingStore, sessions: SessionStore): HTMLElement {
+export function mission_panel(
+  app: App,
+  store: BuildingStore,
+  sessions: SessionStore,
+): { panel: HTMLElement; choice: Choice } {
   const about = element("p", { class: "about" });
   const place = element("div", { class: "fields" });
   const keeps_buildings = () => app.state.value?.keeps_buildings ?? false;
   let form = mission_forms[0] as MissionForm;
+  const chosen = new Signal(form.mission);
   let fields = new MissionFields(form, store, sessions, keeps_buildings);
   const needs_building = () => form.fields.some(({ kind }) => kind === "building");
 
   const choose = (mission: string) => {
     form = mission_forms.find((candidate) => candidate.mission === mission) ?? form;
+    chooser.list.value = form.mission;
+    chosen.value = form.mission;
     fields = new MissionFields(form, store, sessions, keeps_buildings);
     set_text(about, form.about);
     set_text(start, form.begin);
@@ -56,6 +66,7 @@ export function mission_panel(app: App, store: BuildingStore, sessions: SessionS
     { class: "fields" },
     progress,
     element("div", { class: "buttons" }, pause, end),
+    notify_switch(app.notices),
   );
 
   app.state.watch((state) => {
@@ -69,7 +80,7 @@ export function mission_panel(app: App, store: BuildingStore, sessions: SessionS
     const area = mode === "mission" ? app.plan.free_floor_text() : "";
     const way =
       mode === "mission"
-        ? text.mission.progress(distance_m.toFixed(1), short_duration(stamp_s))
+        ? text.mission.progress(length_text(distance_m, 1), short_duration(stamp_s))
         : text.mission.computing(done, total);
     set_text(progress, [mission || mode, task, way, area].filter(Boolean).join(" · "));
   });
@@ -90,5 +101,8 @@ export function mission_panel(app: App, store: BuildingStore, sessions: SessionS
   sessions.sessions.watch(refill);
   choose(form.mission);
 
-  return panel(text.mission.title, "mission-panel", choice, running);
+  return {
+    panel: panel(text.mission.title, "mission-panel", choice, running),
+    choice: { name: chosen, choose },
+  };
 }

@@ -5,6 +5,7 @@ import { building_points } from "../plan/building_geometry";
 import { building_layer } from "../plan/building_layer";
 import { bounds_of } from "../plan/geometry";
 import type { Bounds } from "../plan/geometry";
+import { shown_live, shown_of_building } from "../plan/legend";
 import { live_layers } from "../plan/live_layers";
 import { PlanCanvas } from "../plan/plan_canvas";
 import type { Layer } from "../plan/plan_canvas";
@@ -39,6 +40,11 @@ export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement;
     const covered_px = (inset?.clientWidth ?? 0) + 12;
     return covered_px < canvas.element.clientWidth / 2 ? covered_px : 0;
   };
+  canvas.shown = () => {
+    const chosen = is_building() && store.building.value;
+    return chosen ? shown_of_building(chosen) : shown_live(plan, (layer) => hidden.has(layer));
+  };
+  canvas.subject = () => (is_building() ? store.chosen.value : (app.state.value?.world ?? ""));
   canvas.tool = { click: (at) => goal.pick(at) };
 
   const toggles = Object.keys(layers).map((name) =>

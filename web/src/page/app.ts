@@ -6,6 +6,7 @@ import { HandDriver } from "../drive/hand_driver";
 import { watch_gamepads } from "../drive/gamepad";
 import { watch_keys } from "../drive/keys";
 import { LivePlan } from "../plan/live_plan";
+import { MissionEvents } from "../timeline/mission_events";
 import type { Notices } from "./notices";
 import { Signal } from "./signal";
 
@@ -18,9 +19,16 @@ export interface App {
   lease: Lease;
   driver: HandDriver;
   plan: LivePlan;
+  events: MissionEvents;
   notices: Notices;
   /** Name of the tab that is shown. */
   tab: Signal<string>;
+}
+
+/** What is chosen in a tab, by its name; empty: nothing. */
+export interface Choice {
+  name: Signal<string>;
+  choose(name: string): void;
 }
 
 /** One tab of the page. */
@@ -28,6 +36,7 @@ export interface Tab {
   name: string;
   title: string;
   element: HTMLElement;
+  choice?: Choice;
 }
 
 /** @param socket address of the server's WebSocket */
@@ -43,6 +52,7 @@ export function make_app(socket: string, notices: Notices): App {
     last_state: undefined,
     driver: new HandDriver(connection, lease),
     plan: new LivePlan(connection, state),
+    events: new MissionEvents(connection, state),
     tab: new Signal("drive"),
   };
   state.watch((present) => (app.last_state = present ?? app.last_state));

@@ -1,6 +1,7 @@
 import type { LiveState } from "../connection/live_state";
 import { text } from "../text";
 import type { App } from "./app";
+import { tell_elsewhere } from "./elsewhere";
 import { sentence } from "./notices";
 
 type Last = NonNullable<LiveState["last"]>;
@@ -20,7 +21,9 @@ export function announce_results(app: App): void {
     const last = JSON.stringify(state.last);
     const is_news = known === undefined ? state.mode === "ended" : last !== known;
     known = last ?? "";
-    if (is_news && state.last)
-      app.notices.show(result_text(state.last), state.last.ok ? "result" : "trouble");
+    if (!is_news || !state.last) return;
+    const message = result_text(state.last);
+    app.notices.show(message, state.last.ok ? "result" : "trouble");
+    tell_elsewhere(message, state.last.ok);
   });
 }

@@ -29,11 +29,15 @@ export async function post_text<T>(path: string, text: string, lease: string): P
   return (await response.json()) as T;
 }
 
-/** Offers a text to the user as a download. */
-export function download_text(name: string, text: string): void {
+/** Offers bytes to the user as a download. */
+export function download(name: string, bytes: Blob): void {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+  link.href = URL.createObjectURL(bytes);
   link.download = name;
   link.click();
   URL.revokeObjectURL(link.href);
+}
+
+export function download_text(name: string, text: string): void {
+  download(name, new Blob([text], { type: "text/plain" }));
 }

@@ -2,6 +2,7 @@ import type { ConnectionState } from "../connection/live_connection";
 import type { LiveState } from "../connection/live_state";
 import type { Point } from "../plan/geometry";
 import { text } from "../text";
+import { length_text, position_text } from "./units";
 
 /** The server sends its state twice a second; data are old after this time without a message. */
 const old_after_s = 1.6;
@@ -40,9 +41,9 @@ function driver(state: LiveState, drives_here: boolean): string {
 
 /** Where, how far and how long. */
 function measures({ mode, distance_m = 0, stamp_s }: LiveState, at: Point | undefined): string[] {
-  const where = at ? [`${at.x.toFixed(1)}, ${at.y.toFixed(1)} m`] : [];
+  const where = at ? [position_text(at, 1)] : [];
   if (mode !== "mission") return where;
-  return [`${distance_m.toFixed(1)} m`, short_duration(stamp_s), ...where];
+  return [length_text(distance_m, 1), short_duration(stamp_s), ...where];
 }
 
 /** One line: what, who drives, how far, how long, where; or that what is shown is not current. */

@@ -1,9 +1,10 @@
 /** Draws lines, dots and names on a plan, in map coordinates [m]. */
 
 import { colour } from "../page/theme";
+import { metres_per_unit, unit } from "../page/units";
 import { moved_by } from "./geometry";
 import type { Ellipse, Point, Pose } from "./geometry";
-import { round_length_m } from "./plan_view";
+import { round_length } from "./plan_view";
 import type { PlanView } from "./plan_view";
 
 type Context = CanvasRenderingContext2D;
@@ -27,7 +28,7 @@ export function zone_stroke(kind: string): Stroke {
   return { colour: colour("busy"), width_px: 2, dash_px: kind === "slow" ? [2, 4] : [] };
 }
 
-function apply(context: Context, stroke: Stroke): void {
+export function apply_stroke(context: Context, stroke: Stroke): void {
   context.strokeStyle = stroke.colour;
   context.lineWidth = stroke.width_px;
   context.lineCap = "round";
@@ -45,7 +46,7 @@ export function trace(context: Context, view: PlanView, points: readonly Point[]
 }
 
 export function draw_line(context: Context, view: PlanView, points: readonly Point[], stroke: Stroke): void {
-  apply(context, stroke);
+  apply_stroke(context, stroke);
   context.beginPath();
   trace(context, view, points);
   context.stroke();
@@ -57,7 +58,7 @@ export function draw_segments(
   segments: Iterable<[Point, Point]>,
   stroke: Stroke,
 ): void {
-  apply(context, stroke);
+  apply_stroke(context, stroke);
   context.beginPath();
   for (const segment of segments) trace(context, view, segment);
   context.stroke();
@@ -80,18 +81,23 @@ export function draw_dots(
   context.fill();
 }
 
-/** A name beside a point, legible on any background. */
-export function draw_name(context: Context, view: PlanView, at: Point, name: string): void {
-  const { x, y } = view.to_screen(at);
+/** Words at a position of the screen, legible on any background. */
+export function draw_caption(context: Context, { x, y }: Point, words: string): void {
   context.font = "12px system-ui, sans-serif";
   context.textBaseline = "middle";
   context.lineWidth = 3;
   context.lineJoin = "round";
   context.setLineDash([]);
   context.strokeStyle = colour("sheet");
-  context.strokeText(name, x + 8, y - 8);
+  context.strokeText(words, x, y);
   context.fillStyle = colour("ink");
-  context.fillText(name, x + 8, y - 8);
+  context.fillText(words, x, y);
+}
+
+/** A name beside a point. */
+export function draw_name(context: Context, view: PlanView, at: Point, name: string): void {
+  const { x, y } = view.to_screen(at);
+  draw_caption(context, { x: x + 8, y: y - 8 }, name);
 }
 
 /** Strokes the traced outline in the vehicle's colour and fills it faintly. */
@@ -100,7 +106,7 @@ function draw_tinted(context: Context, { opacity, width_px }: { opacity: number;
   context.fillStyle = colour("accent");
   context.fill();
   context.globalAlpha = 1;
-  apply(context, { colour: colour("accent"), width_px });
+  apply_stroke(context, { colour: colour("accent"), width_px });
   context.stroke();
 }
 
@@ -150,12 +156,34 @@ export function draw_vehicle(
   context.fill();
 }
 
+/** A ring about a point that the user looks at. */
+export function draw_ring(context: Context, view: PlanView, at: Point): void {
+  const { x, y } = view.to_screen(at);
+  apply_stroke(context, { colour: colour("trouble"), width_px: 2.5 });
+  context.beginPath();
+  context.arc(x, y, 10, 0, 2 * Math.PI);
+  context.stroke();
+}
+
+/** Cross hairs, where the keys point to. */
+export function draw_cross(context: Context, view: PlanView, at: Point): void {
+  const { x, y } = view.to_screen(at);
+  apply_stroke(context, { colour: colour("accent"), width_px: 1 });
+  context.beginPath();
+  context.moveTo(x - 10, y);
+  context.lineTo(x + 10, y);
+  context.moveTo(x, y - 10);
+  context.lineTo(x, y + 10);
+  context.stroke();
+}
+
 /** The scale bar, of a round length, in the lower left corner. */
 export function draw_scale(context: Context, view: PlanView): void {
-  const length_m = round_length_m(view.scale_px_per_m, 90);
-  const length_px = length_m * view.scale_px_per_m;
+  const px_per_unit = view.scale_px_per_m * metres_per_unit();
+  const length = round_length(px_per_unit, 90);
+  const length_px = length * px_per_unit;
   const y = view.height_px - 14;
-  apply(context, { colour: colour("muted"), width_px: 1.5 });
+  apply_stroke(context, { colour: colour("muted"), width_px: 1.5 });
   context.beginPath();
   context.moveTo(14, y - 4);
   context.lineTo(14, y);
@@ -165,5 +193,6 @@ export function draw_scale(context: Context, view: PlanView): void {
   context.font = "11px system-ui, sans-serif";
   context.textBaseline = "alphabetic";
   context.fillStyle = colour("muted");
-  context.fillText(length_m < 1 ? `${Math.round(length_m * 100)} cm` : `${length_m} m`, 18, y - 5);
+  const is_in_cm = unit.value === "m" && length < 1;
+  context.fillText(is_in_cm ? `${Math.round(length * 100)} cm` : `${length} ${unit.value}`, 18, y - 5);
 }

@@ -23,16 +23,22 @@ export function moved_by(pose: Pose, point: Point): Point {
   return { x: pose.x + c * point.x - s * point.y, y: pose.y + s * point.x + c * point.y };
 }
 
+/** From one point to another, counter-clockwise from the x axis: whole degrees from 0 to 359. */
+export function direction_deg(from: Point, to: Point): number {
+  const degrees = Math.round((Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI);
+  return (degrees + 360) % 360;
+}
+
 export function distance(a: Point, b: Point): number {
   return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
-/** Distance from `p` to the segment from `a` to `b`. */
 /** The closed outline of the rectangle with these opposite corners. */
 export function rectangle(from: Point, to: Point): Point[] {
   return [from, { x: to.x, y: from.y }, to, { x: from.x, y: to.y }, from];
 }
 
+/** Distance from `p` to the segment from `a` to `b`. */
 export function distance_to_segment(p: Point, a: Point, b: Point): number {
   const length2 = (b.x - a.x) ** 2 + (b.y - a.y) ** 2;
   const share = length2 === 0 ? 0 : ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length2;

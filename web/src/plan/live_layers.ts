@@ -9,6 +9,7 @@ import {
   draw_ellipse,
   draw_line,
   draw_name,
+  draw_ring,
   draw_segments,
   draw_vehicle,
   zone_stroke,
@@ -30,6 +31,7 @@ function stroke_of(namespace: string): Stroke {
   if (namespace === "walls") return { colour: colour("wall"), width_px: 2.5 };
   if (namespace === "keep_out" || namespace === "glass") return barrier_stroke(namespace);
   if (namespace === "slow" || namespace === "one_way") return zone_stroke(namespace);
+  if (namespace === "routes") return { colour: colour("path"), width_px: 1.5 };
   if (namespace === "graph") return { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
   return { colour: colour("muted"), width_px: 1.5 };
 }
@@ -70,8 +72,10 @@ export function live_layers(plan: LivePlan): Record<string, Layer> {
     landmarks: marks_layer(plan, (namespace) => namespace === "landmarks"),
     graph: marks_layer(plan, (namespace) => namespace === "graph" || namespace === "places"),
     scan: (context, view) => draw_dots(context, view, plan.scan, colour("scan"), 1.5),
-    trail: (context, view) =>
-      draw_line(context, view, plan.trail, { colour: colour("trail"), width_px: 1.5 }),
+    trail: (context, view) => {
+      draw_line(context, view, plan.trail, { colour: colour("trail"), width_px: 1.5 });
+      if (plan.pointed) draw_ring(context, view, plan.pointed);
+    },
     path: (context, view) =>
       draw_line(context, view, plan.path, { colour: colour("path"), width_px: 2, dash_px: [2, 5] }),
     vehicle: (context, view) => {

@@ -15,6 +15,7 @@ import type {
 } from "../connection/messages";
 import { vehicle_shape } from "../drive/vehicle_text";
 import type { Signal } from "../page/signal";
+import { area_text } from "../page/units";
 import { text } from "../text";
 import { floor_points, free_floor_m2 } from "./building_geometry";
 import { distance, ellipse_of, heading_of, moved_by } from "./geometry";
@@ -69,6 +70,8 @@ export class LivePlan {
   /** In the frame `map` if the navigator localises in it, else in `odom`. */
   pose: Pose | undefined;
   ellipse: Ellipse | undefined;
+  /** Where the event was that the user looks at. */
+  pointed: Point | undefined;
   heading_sigma_rad = 0;
 
   readonly #viewers = new Set<() => void>();
@@ -114,6 +117,11 @@ export class LivePlan {
     for (const viewer of this.#viewers) viewer();
   }
 
+  point_to(at_m: [number, number] | undefined): void {
+    this.pointed = at_m && { x: at_m[0], y: at_m[1] };
+    this.#changed();
+  }
+
   /** What was driven before this page was opened, or before the time to which a replay has jumped. */
   async fetch_trail(): Promise<void> {
     if (!this.connection.services.value.has("mission/trail")) return;
@@ -124,7 +132,7 @@ export class LivePlan {
 
   /** How much floor is known to be free; empty: nothing is known. */
   free_floor_text(): string {
-    return this.floor ? text.mission.area(free_floor_m2(this.floor).toFixed(0)) : "";
+    return this.floor ? text.mission.area(area_text(free_floor_m2(this.floor))) : "";
   }
 
   /** All points that the plan should show. */

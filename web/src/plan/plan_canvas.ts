@@ -1,10 +1,18 @@
-import { button, element } from "../page/element";
-import { text } from "../text";
+import { button, element, set_text } from "../page/element";
+import { download } from "../page/server_files";
 import { Sheet } from "../page/sheet";
+import { colour } from "../page/theme";
+import { position_text, unit } from "../page/units";
+import { text } from "../text";
+import { draw_cross, draw_scale } from "./draw";
 import type { Bounds, Point } from "./geometry";
-import { draw_scale } from "./draw";
+import { draw_grid } from "./grid";
+import { draw_legend } from "./legend";
+import type { Shown } from "./legend";
+import { grid, legend, more_tools } from "./more_tools";
 import { PlanView } from "./plan_view";
 import { watch_pointers } from "./pointers";
+import { Ruler } from "./ruler";
 
 export type Layer = (context: CanvasRenderingContext2D, view: PlanView) => void;
 
@@ -39,10 +47,18 @@ export class PlanCanvas {
 
   /** How much of its left side something else covers. */
   covered_left_px: () => number = () => 0;
+  /** What the legend explains. */
+  shown: () => ReadonlySet<Shown> = () => new Set();
+  /** What the plan shows, for the name of its picture. */
+  subject: () => string = () => "";
 
   readonly #canvas: HTMLCanvasElement;
   readonly #sheet: Sheet;
   readonly #follow: HTMLButtonElement;
+  readonly #position = element("span", { hidden: true });
+  readonly #measured = element("span", { role: "status", hidden: true });
+  readonly #ruler = new Ruler(() => this.#show_measured());
+  #measures = false;
   #follows = false;
   #is_moved = false;
 
@@ -59,22 +75,39 @@ export class PlanCanvas {
       button("−", () => this.#zoom_middle(1 / 1.4), { "aria-label": text.plan.zoom_out }),
       button(text.plan.fit, () => this.#fit_again()),
       this.#follow,
+      ...more_tools(
+        (on) => this.#set_measuring(on),
+        () => this.#save_picture(),
+      ),
     );
-    this.element = element("div", { class: "plan" }, this.#canvas, tools);
+    const readout = element("p", { class: "plan-readout" }, this.#measured, this.#position);
+    this.element = element("div", { class: "plan" }, this.#canvas, tools, readout);
     this.#sheet = new Sheet(this.#canvas, (context) => this.#draw(context));
     this.#canvas.addEventListener("keydown", (event) => this.#key(event));
     watch_pointers(this.#canvas, {
       pan: (right, down) => this.#pan(right, down),
       zoom: (factor, at) => this.#zoom(factor, at),
-      click: (at) => this.tool.click?.(this.view.to_map(at)),
-      hover: (at) => this.tool.hover?.(at && this.view.to_map(at)),
-      cancel_drag: () => this.tool.cancel?.(),
+      click: (at) => this.#tool.click?.(this.view.to_map(at)),
+      hover: (at) => this.#point(at && this.view.to_map(at)),
+      cancel_drag: () => this.#tool.cancel?.(),
       drag: (from, to, ended) => {
-        if (!this.tool.drag) return false;
-        this.tool.drag(this.view.to_map(from), this.view.to_map(to), ended);
+        if (!this.#tool.drag) return false;
+        this.#tool.drag(this.view.to_map(from), this.view.to_map(to), ended);
         return true;
       },
     });
+    for (const change of ["focus", "blur"]) this.#canvas.addEventListener(change, () => this.redraw());
+    for (const setting of [grid, legend, unit]) setting.watch(() => this.redraw());
+    unit.watch(() => this.#show_measured());
+  }
+
+  get #tool(): PlanTool {
+    return this.#measures ? this.#ruler : this.tool;
+  }
+
+  /** The keys act on the plan, in its middle. */
+  get #is_by_keys(): boolean {
+    return this.#canvas.matches(":focus-visible");
   }
 
   hide_follow(): void {
@@ -100,7 +133,50 @@ export class PlanCanvas {
       layer(context, this.view);
       context.restore();
     }
+    if (grid.value === "on") draw_grid(context, this.view);
+    if (legend.value === "on") draw_legend(context, this.view, this.shown());
+    if (this.#measures) this.#ruler.layer(context, this.view);
     draw_scale(context, this.view);
+    if (!this.#is_by_keys) return;
+    draw_cross(context, this.view, this.view.middle);
+    this.#show_position(this.view.middle);
+  }
+
+  /** The mouse points there; undefined: it leaves. */
+  #point(at: Point | undefined): void {
+    this.#tool.hover?.(at);
+    this.#show_position(at);
+  }
+
+  #show_position(at: Point | undefined): void {
+    this.#position.hidden = at === undefined;
+    if (at) set_text(this.#position, position_text(at, 2));
+  }
+
+  #set_measuring(on: boolean): void {
+    this.#measures = on;
+    this.#measured.hidden = !on;
+    this.#ruler.clear();
+  }
+
+  #show_measured(): void {
+    set_text(this.#measured, this.#ruler.text());
+    this.redraw();
+  }
+
+  /** Saves what is seen, on the colour of the page's ground, as a PNG file. */
+  #save_picture(): void {
+    const { width, height } = this.#canvas;
+    const copy = element("canvas", { width, height });
+    const context = copy.getContext("2d");
+    if (!context) return;
+    context.fillStyle = colour("ground");
+    context.fillRect(0, 0, width, height);
+    context.drawImage(this.#canvas, 0, 0);
+    copy.toBlob((bytes) => {
+      const name = ["aisle", this.subject()].filter(Boolean).join("-");
+      if (bytes) download(`${name}.png`, bytes);
+    });
   }
 
   #place(): void {
@@ -150,6 +226,8 @@ export class PlanCanvas {
     if (event.key === "+" || event.key === "=") this.#zoom_middle(1.4);
     else if (event.key === "-") this.#zoom_middle(1 / 1.4);
     else if (event.key === "0") this.#fit_again();
+    else if (event.key === "Enter") this.#tool.click?.(this.view.middle);
+    else if (event.key === "Backspace" && this.#measures) this.#ruler.take_back();
     else if (event.key in pan_keys) this.#pan(...(pan_keys[event.key] as [number, number]));
     else return;
     event.preventDefault();

@@ -50,10 +50,10 @@ export class PlanView {
   }
 }
 
-/** A round length of at most `wanted_px` on the screen: 1, 2 or 5 times a power of ten [m]. */
-export function round_length_m(scale_px_per_m: number, wanted_px: number): number {
-  const wanted_m = wanted_px / scale_px_per_m;
-  const power = 10 ** Math.floor(Math.log10(wanted_m));
-  const step = [1, 2, 5].findLast((candidate) => candidate * power <= wanted_m) ?? 1;
+/** A round length of at most `wanted_px` on the screen: 1, 2 or 5 times a power of ten, in the unit of the scale. */
+export function round_length(px_per_unit: number, wanted_px: number): number {
+  const wanted = wanted_px / px_per_unit;
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  const step = [1, 2, 5].findLast((candidate) => candidate * power <= wanted) ?? 1;
   return step * power;
 }

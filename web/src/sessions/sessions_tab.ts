@@ -4,18 +4,20 @@ import { button, element, panel } from "../page/element";
 import { file_address } from "../page/server_files";
 import { Signal } from "../page/signal";
 import { bounds_of } from "../plan/geometry";
+import { shown_live } from "../plan/legend";
 import { live_layers } from "../plan/live_layers";
 import { PlanCanvas } from "../plan/plan_canvas";
 import { text } from "../text";
+import { timeline } from "../timeline/timeline";
 import { replay_bar } from "./replay_bar";
+import { session_changes } from "./session_changes";
 import { figure_lines } from "./session_figures";
 import { session_table } from "./session_list";
 import type { SessionStore } from "./session_store";
 
-function download_links(name: string, files: string[]): HTMLElement {
-  const link = (file: string) =>
-    element("a", { class: "button", href: file_address(`sessions/${name}/${file}`), download: file }, file);
-  return element("div", { class: "buttons" }, ...files.map(link));
+function download_links(name: string, files: string[]): HTMLElement[] {
+  const address = (file: string) => file_address(`sessions/${encodeURIComponent(name)}/${file}`);
+  return files.map((file) => element("a", { class: "button", href: address(file), download: file }, file));
 }
 
 function plan_of(app: App): HTMLElement {
@@ -24,6 +26,8 @@ function plan_of(app: App): HTMLElement {
   canvas.layers = Object.values(live_layers(app.plan));
   canvas.extent = () => bounds_of(app.plan.points());
   canvas.followed = () => app.plan.pose;
+  canvas.shown = () => shown_live(app.plan, () => false);
+  canvas.subject = () => app.state.value?.replay?.session ?? app.state.value?.world ?? "";
   return canvas.element;
 }
 
@@ -60,22 +64,29 @@ export function sessions_tab(app: App, store: SessionStore): Tab {
       () => void app.notices.attempt(app.lease.call("replay/start", { session: name })),
       { class: "primary" },
     );
+  const changes = session_changes(app, store, chosen);
+  const files = element("div", { class: "buttons" });
+  const show_files = () => {
+    const file = store.sessions.value?.find(({ name }) => name === chosen.value)?.file;
+    files.replaceChildren(
+      ...download_links(chosen.value, file ? ["metadata.yaml", file] : ["metadata.yaml"]),
+    );
+  };
   chosen.watch((name) => {
     show_table();
     about.hidden = name === "";
     none.hidden = name !== "";
     if (name === "") return;
-    const file = store.sessions.value?.find((session) => session.name === name)?.file;
     figures.replaceChildren();
-    about.replaceChildren(
-      element("div", { class: "buttons" }, replay(name)),
-      download_links(name, file ? ["metadata.yaml", file] : ["metadata.yaml"]),
-      figures,
-    );
+    about.replaceChildren(element("div", { class: "buttons" }, replay(name)), files, figures, changes);
+    show_files();
     void show_figures(name);
   });
   wanted.watch(show_table);
-  store.sessions.watch(show_table);
+  store.sessions.watch(() => {
+    show_table();
+    show_files();
+  });
   const stands = () => app.state.value?.mode === "replay" && !app.state.value.replay?.playing;
 
   const tab = element(
@@ -91,9 +102,15 @@ export function sessions_tab(app: App, store: SessionStore): Tab {
       text.sessions.replay,
       "sessions-replay",
       element("div", { class: "replay-views" }, new CameraView(app.connection, stands).element, plan_of(app)),
+      timeline(app),
       replay_bar(app),
     ),
     panel(text.sessions.figures, "sessions-figures", none, about),
   );
-  return { name: "sessions", title: text.tabs.sessions, element: tab };
+  return {
+    name: "sessions",
+    title: text.tabs.sessions,
+    element: tab,
+    choice: { name: chosen, choose: (name) => (chosen.value = name) },
+  };
 }

@@ -17,6 +17,7 @@ export function with_fake_page() {
     vehicle.answers["buildings/list"] = () => ({ buildings: [] });
     vehicle.answers["sessions/list"] = () => ({ sessions: [] });
     vehicle.answers["mission/trail"] = () => ({ points: [] });
+    vehicle.answers["mission/events"] = ({ from }) => ({ from, events: [] });
     given.vehicle = vehicle;
     given.address = await vehicle.start();
     given.page = await open_page(given.browser, given.address);

@@ -111,6 +111,8 @@ export class FakeVehicle {
       "maze/run",
       "sessions/list",
       "sessions/info",
+      "sessions/rename",
+      "sessions/delete",
       "buildings/list",
       "replay/start",
       "replay/play",
@@ -119,6 +121,7 @@ export class FakeVehicle {
       "replay/rate",
       "replay/stop",
       "mission/trail",
+      "mission/events",
     ]) {
       this.services.set(
         this.#server.addService({ name, type: name, requestSchema: "", responseSchema: "" }),

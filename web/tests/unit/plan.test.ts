@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { floor_runs, route_points } from "../../src/plan/building_geometry";
 import { distance_to_segment, ellipse_of, heading_of, moved_by } from "../../src/plan/geometry";
-import { PlanView, round_length_m } from "../../src/plan/plan_view";
+import { PlanView, round_length } from "../../src/plan/plan_view";
 
 const near = (a: number, b: number, within = 1e-9) =>
   assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
@@ -33,8 +33,8 @@ test("A fitted area is centred on the screen", () => {
 });
 
 test("The scale bar has round lengths", () => {
-  assert.equal(round_length_m(40, 90), 2);
-  assert.equal(round_length_m(100, 90), 0.5);
+  assert.equal(round_length(40, 90), 2);
+  assert.equal(round_length(100, 90), 0.5);
 });
 
 test("The heading of a quaternion", () => {
