@@ -118,9 +118,10 @@ void GuideNavigator::look_at_floor(double stamp_s) {
   if (!moved && stamp_s - looked_s_ < params_.look_every_s) return;
   looked_s_ = stamp_s;
   T_map_looked_ = T_map_vehicle_;
-  floor_.change([this](FloorGrid& grid) {
+  const Viewpoint viewpoint = moved ? Viewpoint::kMoved : Viewpoint::kSame;
+  floor_.change([this, viewpoint](FloorGrid& grid) {
     FloorBox changed = see_floor(grid, sensor_->scanner(), view_.ranges_m, view_.near_m, T_map_vehicle_,
-                                 params_.view, moved ? Viewpoint::kMoved : Viewpoint::kSame);
+                                 params_.view, viewpoint);
     changed.include_box(stand_on_floor(grid, vehicle_.footprint, T_map_vehicle_));
     return changed;
   });
