@@ -13,6 +13,7 @@
 #include "live_replay.hpp"
 #include "live_request_handler.hpp"
 #include "live_site.hpp"
+#include "session_changes.hpp"
 
 namespace aisle {
 namespace {
@@ -76,7 +77,8 @@ class LiveRun {
     state.is_driven_by_hand = mission.is_driven_by_hand;
     control_.begin();
     const auto outcome = work(mission);
-    state.last = control_.was_stopped() ? live_end_stopped(mission.name) : live_end(mission.name, outcome);
+    control_.end_mission(control_.was_stopped() ? live_end_stopped(mission.name)
+                                                : live_end(mission.name, outcome));
   }
 
   /// Passes Interrupted on unless a client stopped the mission.
@@ -112,6 +114,8 @@ class LiveRun {
       return call.refuse("a mission is under way; mission/stop ends it");
     if (service == "mission/start" || service == "mission/go") return begin_mission(call);
     if (service == "replay/start") return begin_replay(call);
+    if (service == "sessions/rename") return answer(call, rename_session(sessions(), call.arguments()));
+    if (service == "sessions/delete") return answer(call, delete_session(sessions(), call.arguments()));
     call.refuse("nothing is being replayed");
   }
 
@@ -127,8 +131,14 @@ class LiveRun {
     call.answer(nlohmann::ordered_json::object());
   }
 
+  const std::filesystem::path& sessions() const { return options_.listening.sessions; }
+
+  static void answer(const ServiceCall& call, const Problems& problems) {
+    problems.empty() ? call.answer(nlohmann::ordered_json::object()) : call.refuse(to_string(problems));
+  }
+
   void begin_replay(const ServiceCall& call) {
-    auto session = session_named(options_.listening.sessions, call.arguments());
+    auto session = session_named(sessions(), call.arguments());
     if (!session) return call.refuse(to_string(session.problems()));
     requested_replay_ = std::move(*session);
     control_.hand().finish();
@@ -172,8 +182,8 @@ Result<Outcome> run_watched(const LiveListening& listening, const std::string& v
   control.begin();
   Console watched{control, console.warn, &control};
   auto outcome = work(watched, hand_of(control));
+  control.end_mission(live_end(verb, outcome));
   control.state().mode = "ended";
-  control.state().last = live_end(verb, outcome);
   control.serve(0);
   say_goodbye((*site)->server());
   return outcome;

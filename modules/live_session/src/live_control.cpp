@@ -1,8 +1,7 @@
 #include "live_control.hpp"
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <limits>
 #include <utility>
 
 #include "aisle/core/rounded.hpp"
@@ -10,6 +9,8 @@
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/map_messages.hpp"
 #include "aisle/formats/sessions/session_origin.hpp"
+#include "live_arguments.hpp"
+#include "live_marks.hpp"
 
 namespace aisle {
 namespace {
@@ -26,15 +27,6 @@ std::string text_of(const nlohmann::json& arguments, const char* key) {
   return found != arguments.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-std::optional<Mark::Kind> mark_kind(const std::string& name) {
-  static const std::map<std::string, Mark::Kind> kinds = {{"place", Mark::Kind::kPlace},
-                                                          {"stop", Mark::Kind::kStop},
-                                                          {"turning begins", Mark::Kind::kTurningBegins},
-                                                          {"turning ends", Mark::Kind::kTurningEnds}};
-  const auto found = kinds.find(name);
-  return found == kinds.end() ? std::nullopt : std::optional(found->second);
-}
-
 }  // namespace
 
 std::vector<LiveService> control_services(ServiceMailbox& calls) {
@@ -44,6 +36,7 @@ std::vector<LiveService> control_services(ServiceMailbox& calls) {
     services.push_back({name, true, &calls});
   services.push_back({"mission/emergency_stop", false, &calls});
   services.push_back({"mission/trail", false, &calls});
+  services.push_back({"mission/events", false, &calls});
   return services;
 }
 
@@ -60,7 +53,7 @@ LiveControl::LiveControl(Progress& progress, LiveServer& server, ServiceMailbox&
 
 void LiveControl::begin() {
   server_.forget_latched();
-  trail_.begin();
+  forget_past();
   begin_work();
 }
 
@@ -87,8 +80,28 @@ void LiveControl::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::stri
   if (stamp_ != stamp) server_.take_time(stamp);
   stamp_ = stamp;
   server_.take(topic, stamp, cdr);
-  trail_.take(topic, cdr);
+  take_past(topic, stamp, cdr);
   if (topic.name == "/session") show_map(stamp, cdr);
+}
+
+void LiveControl::forget_past(ros::Stamp_ns first) {
+  trail_.begin();
+  events_.begin(first);
+}
+
+/// A waiting vehicle's time begins again: what it does is not of the mission.
+void LiveControl::take_past(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {
+  trail_.take(topic, cdr);
+  if (state_.mode != "idle") events_.take(topic, stamp, cdr, trail_.p_map_vehicle());
+}
+
+void LiveControl::add_event(const char* kind, std::string_view text) {
+  if (state_.mode == "mission") events_.add(stamp_.value_or(0), kind, text, trail_.p_map_vehicle());
+}
+
+void LiveControl::end_mission(nlohmann::ordered_json end) {
+  add_event("end", end["ok"] == true ? "done" : "not done");
+  state_.last = std::move(end);
 }
 
 /// Shows what the mission knows of the building before it begins.
@@ -144,6 +157,7 @@ void LiveControl::serve(double duration_s) {
 void LiveControl::tell_state() {
   state_.lease_is_held = server_.lease_is_held();
   state_.distance_m = rounded(trail_.distance_m(), 2);
+  state_.events = events_.count();
   std::string text = live_state_json(state_);
   const double now_s = clock_.now_s();
   LiveState still = state_;  // without what changes all the time
@@ -165,18 +179,21 @@ void LiveControl::stop_if_requested() {
 void LiveControl::handle(const ServiceCall& call) {
   const std::string& service = call.service();
   if (service == "mission/pause") {
+    if (!state_.is_paused) add_event("pause");
     hold();
   } else if (service == "mission/resume") {
     if (state_.is_emergency) return call.refuse("the emergency stop is not released");
-    state_.is_paused = false;
+    if (std::exchange(state_.is_paused, false)) add_event("resume");
   } else if (service == "mission/stop") {
     end(call.arguments().value("discard", nlohmann::json()) == true);
   } else if (service == "mission/trail") {
     return call.answer(trail_.json());
+  } else if (service == "mission/events") {
+    return tell_events(call);
   } else if (service == "mission/emergency_stop") {
     emergency_stop();
   } else if (service == "mission/emergency_release") {
-    state_.is_emergency = false;
+    if (std::exchange(state_.is_emergency, false)) add_event("emergency_release");
     hand_.hold(false);
   } else if (service == "mission/mark") {
     return mark(call);
@@ -191,7 +208,7 @@ void LiveControl::handle(const ServiceCall& call) {
 
 /// The vehicle stands where it is until a client resumes, drives by hand or ends the mission.
 void LiveControl::emergency_stop() {
-  state_.is_emergency = true;
+  if (!std::exchange(state_.is_emergency, true)) add_event("emergency_stop");
   hand_.hold(true);
   if (state_.mode == "mission" && !state_.is_driven_by_hand) hold();
 }
@@ -213,6 +230,14 @@ void LiveControl::end(bool discards) {
   } else {
     shall_end_ = true;
   }
+}
+
+void LiveControl::tell_events(const ServiceCall& call) const {
+  LiveArguments arguments(call.arguments());
+  const auto from = arguments.count("from", std::numeric_limits<std::uint32_t>::max());
+  if (const Problems problems = arguments.problems(); !problems.empty())
+    return call.refuse(to_string(problems));
+  call.answer(events_.json(from.value_or(0)));
 }
 
 void LiveControl::mark(const ServiceCall& call) {

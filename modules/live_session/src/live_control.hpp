@@ -9,6 +9,7 @@
 #include "aisle/core/clock.hpp"
 #include "aisle/core/progress.hpp"
 #include "aisle/live/live_server.hpp"
+#include "live_events.hpp"
 #include "live_hand.hpp"
 #include "live_pace.hpp"
 #include "live_state.hpp"
@@ -34,7 +35,12 @@ class LiveControl final : public Progress, public MessageSink {
 
   LiveState& state() { return state_; }
   LiveHand& hand() { return hand_; }
-  LiveTrail& trail() { return trail_; }
+
+  /// Nothing has happened yet, and nothing was driven: a replay begins, or jumps to another time.
+  /// @param first  stamp of the session's first message
+  void forget_past(ros::Stamp_ns first = 0);
+  /// A message that happened but is not shown.
+  void take_past(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr);
 
   /// A mission begins: forgets what was shown of the previous one.
   void begin();
@@ -52,6 +58,8 @@ class LiveControl final : public Progress, public MessageSink {
 
   /// Whether a client stopped the work, so that nothing of it is kept.
   bool was_stopped() const { return was_stopped_; }
+  /// The mission has ended; `end` is for `LiveState::last`.
+  void end_mission(nlohmann::ordered_json end);
   /// Last true pose of the vehicle in the simulator.
   const std::optional<Pose2>& T_world_vehicle() const { return T_world_vehicle_; }
 
@@ -71,6 +79,8 @@ class LiveControl final : public Progress, public MessageSink {
   void end(bool discards);
   void hold();
   void mark(const ServiceCall& call);
+  void tell_events(const ServiceCall& call) const;
+  void add_event(const char* kind, std::string_view text = {});
   void stop_if_requested();
   void begin_work();
   void keep_pace();
@@ -87,6 +97,7 @@ class LiveControl final : public Progress, public MessageSink {
   std::string reported_;
   double reported_s_ = -1;
   LiveTrail trail_;
+  LiveEvents events_;
   bool shall_end_ = false;
   bool shall_stop_ = false;
   bool was_stopped_ = false;

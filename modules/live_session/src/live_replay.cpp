@@ -31,6 +31,7 @@ Problems LiveReplay::run() {
   if (!summary) return summary.problems();
   first_ = summary->first;
   last_ = summary->last;
+  control_.forget_past(first_);
   if (Problems problems = open(); !problems.empty()) return problems;
   try {
     return play();
@@ -99,7 +100,7 @@ Problems LiveReplay::seek(double to_s) {
   const auto to = first_ + static_cast<ros::Stamp_ns>(
                                std::llround(std::clamp(to_s, 0.0, seconds_of(last_ - first_)) * 1e9));
   if (Problems problems = open(); !problems.empty()) return problems;
-  control_.trail().begin();
+  control_.forget_past(first_);
   const auto messages = messages_at(to);
   if (!messages) return messages.problems();
   for (const KeptMessage& message : *messages) control_.take(message.topic, message.stamp, message.cdr);
@@ -124,7 +125,7 @@ Result<std::vector<LiveReplay::KeptMessage>> LiveReplay::messages_at(ros::Stamp_
       shown.try_emplace(topic.name, kept);
       ahead_.push_back(std::move(kept));
     } else {
-      control_.trail().take(topic, cdr);
+      control_.take_past(topic, stamp, cdr);
       shown.insert_or_assign(topic.name, std::move(kept));
     }
   }

@@ -40,7 +40,7 @@ Result<LiveServerOptions> server_options(const LiveListening& listening) {
 std::vector<LiveService> all_services(ServiceMailbox& mission_calls, ServiceMailbox& questions) {
   std::vector<LiveService> services = control_services(mission_calls);
   for (const char* name : {"mission/start", "mission/go", "replay/start", "replay/play", "replay/pause",
-                           "replay/seek", "replay/rate", "replay/stop"})
+                           "replay/seek", "replay/rate", "replay/stop", "sessions/rename", "sessions/delete"})
     services.push_back({name, true, &mission_calls});
   const std::vector<LiveService> others = handler_services(questions);
   services.insert(services.end(), others.begin(), others.end());

@@ -52,6 +52,7 @@ std::string live_state_json(const LiveState& state) {
                       {"lease_held", state.lease_is_held},
                       {"stamp_s", state.stamp_s},
                       {"distance_m", state.distance_m},
+                      {"events", state.events},
                       {"rate", state.rate},
                       {"task", state.task},
                       {"done", state.done},

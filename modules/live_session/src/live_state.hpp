@@ -19,6 +19,7 @@ struct LiveState {
   bool lease_is_held = false;
   double stamp_s = 0;
   double distance_m = 0;
+  std::size_t events = 0;  ///< of the mission
   double rate = 1;
   std::string task;
   std::size_t done = 0;

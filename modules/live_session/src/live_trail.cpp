@@ -55,6 +55,10 @@ void LiveTrail::move_to(const Pose2& T_map_vehicle) {
   distance_m_ += step_m;
 }
 
+std::optional<Vec2> LiveTrail::p_map_vehicle() const {
+  return T_map_vehicle_ ? std::optional(T_map_vehicle_->position()) : std::nullopt;
+}
+
 nlohmann::ordered_json LiveTrail::json() const {
   auto points = nlohmann::ordered_json::array();
   for (const Vec2& p_map : p_map_) points.push_back({rounded(p_map.x(), 2), rounded(p_map.y(), 2)});

@@ -23,6 +23,8 @@ class LiveTrail {
 
   /// Where the odometry began on the map that stayed; nullopt: the map is the mission's own.
   const std::optional<Pose2>& T_map_odom() const { return T_map_odom_; }
+  /// Where the vehicle is on the map; nullopt: nothing was heard yet.
+  std::optional<Vec2> p_map_vehicle() const;
   /// Of all that was driven on this map [m].
   double distance_m() const { return distance_m_; }
   /// {"points": [[x_m, y_m], ...]}: one every 0.1 m, the oldest first.

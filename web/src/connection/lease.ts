@@ -10,10 +10,13 @@ const renew_every_ms = 1000;
 export class Lease {
   /** The lease's token; undefined: this page does not hold the lease. */
   readonly token = new Signal<string | undefined>(undefined);
+  /** How long the server took to answer last [ms]; undefined: this page does not hold the lease. */
+  readonly delay_ms = new Signal<number | undefined>(undefined);
   #taking: Promise<string> | undefined;
 
   constructor(private readonly connection: LiveConnection) {
     connection.state.watch(() => (this.token.value = undefined));
+    this.token.watch(() => (this.delay_ms.value = undefined));
     setInterval(() => void this.#renew(), renew_every_ms);
   }
 
@@ -42,8 +45,10 @@ export class Lease {
   async #renew(): Promise<void> {
     const lease = this.token.value;
     if (lease === undefined) return;
+    const asked_ms = performance.now();
     try {
       await this.connection.call("lease/renew", { lease });
+      if (this.token.value === lease) this.delay_ms.value = performance.now() - asked_ms;
     } catch {
       if (this.token.value !== lease) return;
       this.token.value = undefined;

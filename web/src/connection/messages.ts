@@ -29,6 +29,7 @@ export interface PoseWithCovarianceStamped {
 export interface Odometry {
   header: Header;
   pose: { pose: RosPose };
+  twist: { twist: { linear: Vector3; angular: Vector3 } };
 }
 
 export interface Path {

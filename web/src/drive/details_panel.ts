@@ -5,6 +5,7 @@ import { Age } from "../page/age";
 import { element, set_text } from "../page/element";
 import { position_text, speed_text } from "../page/units";
 import { text } from "../text";
+import { plot } from "./plot";
 import { ellipse_of } from "../plan/geometry";
 
 interface Decision {
@@ -127,6 +128,8 @@ export function details_panel(app: App, layers: HTMLElement): HTMLElement {
     element("summary", {}, words.title),
     list,
     transducer,
+    element("h3", {}, text.plot.title),
+    plot(app),
     element("h3", {}, words.layers),
     layers,
   );

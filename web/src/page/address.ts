@@ -30,13 +30,14 @@ export function follow_address(app: App, tabs: readonly Tab[]): void {
     const hash = hash_of({ tab: app.tab.value, chosen: shown()?.choice?.name.value ?? "" });
     if (location.hash !== hash) history.replaceState(null, "", hash);
   };
-  const enter = () => {
-    const { tab, chosen } = named_in(location.hash);
+  const enter = (hash: string) => {
+    const { tab, chosen } = named_in(hash);
     app.tab.value = tabs.some(({ name }) => name === tab) ? tab : "drive";
     if (chosen !== "") shown()?.choice?.choose(chosen);
     write();
   };
-  enter();
-  addEventListener("hashchange", enter);
+  enter(location.hash);
+  // Not location.hash: a choice may have rewritten that before this event came.
+  addEventListener("hashchange", ({ newURL }) => enter(new URL(newURL).hash));
   for (const { choice } of tabs) choice?.name.watch(write);
 }

@@ -26,6 +26,7 @@ function status_line(app: App): HTMLElement {
       state: app.state.value ?? app.last_state,
       drives_here: app.lease.token.value !== undefined,
       at: app.plan.pose,
+      delay_ms: app.lease.delay_ms.value,
     });
     line.dataset["lamp"] = lamp;
     line.title = status_text;

@@ -19,6 +19,8 @@ interface StatusInput {
   state: LiveState | undefined;
   drives_here: boolean;
   at: Point | undefined;
+  /** How long the server took to answer the page that drives. */
+  delay_ms?: number | undefined;
 }
 
 /** Minutes and seconds: 3:07. */
@@ -47,7 +49,7 @@ function measures({ mode, distance_m = 0, stamp_s }: LiveState, at: Point | unde
 }
 
 /** One line: what, who drives, how far, how long, where; or that what is shown is not current. */
-export function status_of({ connection, silent_s, state, drives_here, at }: StatusInput): Status {
+export function status_of({ connection, silent_s, state, drives_here, at, delay_ms }: StatusInput): Status {
   if (connection === "connecting") return { lamp: "busy", text: text.status.connecting };
   if (connection === "lost" && state?.mode === "ended")
     return { lamp: "busy", text: text.status.ended(state.mission) };
@@ -57,6 +59,7 @@ export function status_of({ connection, silent_s, state, drives_here, at }: Stat
   const who = driver(state, drives_here);
   const world = state.world === "" ? "" : `${state.world}: `;
   const parts = [`${world}${doing(state)}; ${who}`, ...measures(state, at)];
+  if (delay_ms !== undefined) parts.push(text.status.delay(delay_ms.toFixed(0)));
   if (state.emergency) parts.unshift(text.status.emergency);
   return { lamp: state.emergency ? "trouble" : state.paused ? "busy" : "good", text: parts.join(" · ") };
 }

@@ -15,6 +15,7 @@ export const english = {
     you: "you hold the controls",
     other: "somebody else holds the controls",
     nobody: "nobody holds the controls",
+    delay: (ms: string) => `answers in ${ms} ms`,
   },
   stop: {
     name: "Emergency stop",
@@ -214,8 +215,24 @@ export const english = {
     remove: "Delete",
     removed: (name: string) => `${name} is deleted`,
   },
+  plot: {
+    title: "Plot of the last minute",
+    name: "Two values over the last minute",
+    first: "First",
+    second: "Second",
+    values: {
+      speed: "speed, m/s",
+      command: "commanded speed, m/s",
+      turn_rate: "turn rate, °/s",
+      x: "x, m",
+      y: "y, m",
+      heading: "heading, °",
+      sigma: "σ of the position, m",
+      match: "match, %",
+    },
+  },
   timeline: {
-    name: "Timeline of the mission",
+    name: "Events of the mission",
     keys: "Left and right arrow go from event to event.",
     kinds: {
       state: "",

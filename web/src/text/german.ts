@@ -17,6 +17,7 @@ export const german: typeof english = {
     you: "Sie haben die Steuerung",
     other: "jemand anders hat die Steuerung",
     nobody: "niemand hat die Steuerung",
+    delay: (ms) => `antwortet in ${ms} ms`,
   },
   stop: {
     name: "Nothalt",
@@ -234,8 +235,24 @@ export const german: typeof english = {
     remove: "Löschen",
     removed: (name) => `${name} ist gelöscht`,
   },
+  plot: {
+    title: "Verlauf der letzten Minute",
+    name: "Zwei Werte über die letzte Minute",
+    first: "Erster",
+    second: "Zweiter",
+    values: {
+      speed: "Tempo, m/s",
+      command: "befohlenes Tempo, m/s",
+      turn_rate: "Drehrate, °/s",
+      x: "x, m",
+      y: "y, m",
+      heading: "Richtung, °",
+      sigma: "σ der Position, m",
+      match: "Zuordnung, %",
+    },
+  },
   timeline: {
-    name: "Zeitleiste des Auftrags",
+    name: "Ereignisse des Auftrags",
     keys: "Pfeil links und rechts gehen von Ereignis zu Ereignis.",
     kinds: {
       state: "",

@@ -109,7 +109,7 @@ test("The plan is saved as a picture of what is seen, with grid and legend", asy
   const [wall, no_wall, desk, ground] = colours;
   assert.ok(Math.min(...wall) > 200, `the wall ends at y = 3, above: ${wall}`);
   assert.ok(Math.max(...no_wall) < 100, `${no_wall}`);
-  assert.deepEqual(desk, [90, 171, 255], "the place lies to the left, above the middle");
+  assert.ok(desk[2] > 200 && desk[0] < 120, `the place lies to the left, above the middle: ${desk}`);
   assert.deepEqual(ground, [15, 19, 23]);
   await keep_screenshot(page, "plan-tools-dark");
 });
@@ -203,9 +203,12 @@ test("What happened is on the timeline: the newest in words, by keys the others,
     { stamp_s: 61, kind: "contact", text: "", at_m: [2, 1] },
     { stamp_s: 90, kind: "end", text: "not done" },
   ];
-  vehicle.answers["mission/events"] = ({ from }) => ({ from, events: events.slice(from) });
+  vehicle.answers["mission/events"] = ({ from }) => ({
+    from,
+    events: events.slice(from, vehicle.state.events),
+  });
   vehicle.send_state({ mode: "mission", mission: "explore", driven_by_hand: false, events: 2, stamp_s: 70 });
-  const timeline = page.locator(".drive-tab").getByRole("slider", { name: "Timeline" });
+  const timeline = page.locator(".drive-tab").getByRole("slider", { name: "Events" });
   const drive = page.locator(".drive-tab");
   await drive.getByText("1:01 · bumper contact").waitFor();
   vehicle.send_state({ mode: "idle", mission: "", events: 3 });
@@ -227,10 +230,14 @@ test("What happened is on the timeline: the newest in words, by keys the others,
 test("A replay jumps to the event that is clicked on the timeline", async () => {
   const replay = { session: "run", from_s: 0, to_s: 60, at_s: 0, playing: false, rate: 1 };
   const events = [10, 30].map((stamp_s) => ({ stamp_s, kind: "state", text: `at ${stamp_s}` }));
-  vehicle.answers["mission/events"] = ({ from }) => ({ from, events: events.slice(from) });
+  vehicle.answers["mission/events"] = ({ from }) => ({
+    from,
+    events: events.slice(from, vehicle.state.events),
+  });
   vehicle.send_state({ mode: "replay", mission: "replay", driven_by_hand: false, replay, events: 2 });
   await page.evaluate(() => (location.hash = "sessions"));
-  const timeline = page.locator(".sessions-tab").getByRole("slider", { name: "Timeline" });
+  const timeline = page.locator(".sessions-tab").getByRole("slider", { name: "Events" });
+  await timeline.waitFor();
   const box = await timeline.boundingBox();
   await page.mouse.click(box.x + box.width * 0.2, box.y + box.height / 2);
   await until(() => given.called("replay/seek").length === 1, "the jump");

@@ -80,6 +80,7 @@ test("The status line says how far, how long and where, and that a program has e
 
 test("The status line says who drives", () => {
   assert.match(status_of({ ...input, drives_here: true }).text, /you hold the controls/);
+  assert.match(status_of({ ...input, delay_ms: 12.4 }).text, / · answers in 12 ms$/);
   assert.match(status_of({ ...input, state: { ...state, lease_held: true } }).text, /somebody else/);
 });
 
