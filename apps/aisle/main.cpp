@@ -122,6 +122,7 @@ void add_verbs(CLI::App& app, Work& work) {
   add_convert_verb(app, work);
   add_map_verb(app, work);
   add_localise_verb(app, work);
+  add_merge_verbs(app, work);
   add_compare_verb(app, work);
   add_sim_verb(app, work);
   add_maze_verb(app, work);

@@ -17,6 +17,7 @@ void add_localise_verb(CLI::App& app, Work& work);
 void add_map_verb(CLI::App& app, Work& work);
 void add_sim_verb(CLI::App& app, Work& work);
 void add_maze_verb(CLI::App& app, Work& work);
+void add_merge_verbs(CLI::App& app, Work& work);
 void add_session_verbs(CLI::App& app, Work& work);
 void add_detect_verb(CLI::App& app, Work& work);
 void add_calibrate_verb(CLI::App& app, Work& work);

@@ -14,6 +14,7 @@
 #include "aisle/formats/images/map_server.hpp"
 #include "aisle/formats/logs/relations.hpp"
 #include "aisle/formats/logs/trajectory.hpp"
+#include "aisle/learning/walls/floor_of_log.hpp"
 #include "aisle/learning/walls/map_building.hpp"
 #include "aisle/learning/walls/map_judgement.hpp"
 #include "aisle/learning/walls/published_mapping.hpp"
@@ -147,16 +148,19 @@ std::string mapping_text(const Json& figures) {
   return text;
 }
 
-Result<std::map<std::string, std::string>> write_results(const RecordingMap& map, MapMode mode,
+Result<std::map<std::string, std::string>> write_results(const RecordingMap& map, const MapOptions& options,
                                                          const OutputDirectory& out) {
   const MapResult& result = map.result;
+  Building building = building_of(map);
+  if (options.keeps_floor) building.floor = floor_of_log(map.log, result.T_map_vehicle);
   const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, map.name};
   std::vector<double> stamps_s;
   for (const LaserScan& scan : map.log.scans) stamps_s.push_back(scan.stamp_s);
   const OccupancyImage occupancy = occupancy_of(result.walls, map.log, result.T_map_vehicle);
+  const MapMode mode = options.map_mode;
   const bool is_png = mode == MapMode::kScale;
   const std::string image = is_png ? kScaleImage : "map.pgm";
-  return out.write({{"building", "building.json", building_json(building_of(map))},
+  return out.write({{"building", "building.json", building_json(building)},
                     {"picture_svg", "map.svg", svg(picture)},
                     {"picture_png", "map.png", png(picture)},
                     {"trajectory", "trajectory.tum", tum_text(stamps_s, result.T_map_vehicle)},
@@ -305,7 +309,7 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
   add_trust(map->judgement, outcome);
   outcome.figures["warnings"] = warnings_json(map->warnings);
   if (*directory) {
-    auto written = write_results(*map, options.map_mode, **directory);
+    auto written = write_results(*map, options, **directory);
     if (!written) return written.problems();
     outcome.files = std::move(*written);
     outcome.text += fmt::format("see {}\n", outcome.files["picture_png"]);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/merging/map_alignment.hpp"
+
+namespace aisle {
+
+/// A building, or a map of map_server, that can be compared with others: it has walls and a floor.
+Result<Building> read_comparable_map(const std::filesystem::path& file, Console& console);
+
+/// {"verdict": ..., "common_m": ..., "rival_share": ..., "x_m": ..., ...}: how a map lies to another, and how
+/// sure that is.
+nlohmann::ordered_json alignment_json(const MapAlignment& alignment);
+
+nlohmann::ordered_json pose_json(const Pose2& T);
+
+}  // namespace aisle
