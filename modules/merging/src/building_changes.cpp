@@ -33,17 +33,21 @@ WallChange change_by(MapOpinion opinion, WallChange if_denied) {
   return WallChange::kNotCompared;
 }
 
-/// Short runs take the fate of the run before, the first one that of the run behind.
+/// Short runs take the fate of a neighbour: where the other map is silent, of one that has changed if there
+/// is one, as what is not confirmed is not kept; else of the run before, and the first of the run behind.
 void smooth(std::vector<WallChange>& fates) {
   const auto least = std::lround(kPieceMin_m / kStep_m);
-  const auto end_of_run = [&](auto run) {
-    return std::find_if(run, fates.end(), [&](WallChange fate) { return fate != *run; });
+  const auto has_changed = [](WallChange fate) {
+    return fate == WallChange::kNew || fate == WallChange::kGone;
   };
-  const auto second = end_of_run(fates.begin());
-  if (second != fates.end() && second - fates.begin() < least) std::fill(fates.begin(), second, *second);
-  for (auto run = end_of_run(fates.begin()); run != fates.end();) {
-    const auto end = end_of_run(run);
-    if (end - run < least) std::fill(run, end, *(run - 1));
+  for (auto run = fates.begin(); run != fates.end();) {
+    const auto end = std::find_if(run, fates.end(), [&](WallChange fate) { return fate != *run; });
+    const bool has_before = run != fates.begin(), has_behind = end != fates.end();
+    if (end - run < least && (has_before || has_behind)) {
+      const bool follows =
+          has_behind && (!has_before || (*run == WallChange::kNotCompared && has_changed(*end)));
+      std::fill(run, end, follows ? *end : *(run - 1));
+    }
     run = end;
   }
 }

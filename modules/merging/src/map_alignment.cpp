@@ -79,9 +79,31 @@ class Placements {
   std::vector<MapPlacement> all_;
 };
 
+bool is_contradicted(const MapOverlap& overlap, const MapAlignmentParams& params) {
+  return overlap.denied_run_m > params.denied_run_max_m;
+}
+
 bool is_sound(const MapOverlap& overlap, const MapAlignmentParams& params) {
   return overlap.common_m >= params.common_min_m && overlap.fixing_m() >= params.fixing_min_m &&
-         overlap.agreement() >= params.agreement_min && overlap.denied_run_m <= params.denied_run_max_m;
+         overlap.agreement() >= params.agreement_min &&
+         (params.allows_changes || !is_contradicted(overlap, params));
+}
+
+/// Believes the best placement, unless something speaks against it or another one is a rival.
+void judge(MapAlignment& alignment, const MapAlignmentParams& params) {
+  const double best_m = alignment.best().overlap.score_m();
+  bool has_rival = false;
+  for (auto other = alignment.placements.begin() + 1; other != alignment.placements.end(); ++other) {
+    if (other->overlap.agreement() < params.rival_agreement) continue;
+    const double share = other->overlap.score_m() / best_m;
+    has_rival |=
+        share >= (is_contradicted(other->overlap, params) ? params.contradicted_share : params.rival_share);
+    alignment.rival_share = std::max(alignment.rival_share, share);
+  }
+  if (!is_sound(alignment.best().overlap, params))
+    alignment.verdict = AlignmentVerdict::kApart;
+  else
+    alignment.verdict = has_rival ? AlignmentVerdict::kAmbiguous : AlignmentVerdict::kFound;
 }
 
 std::vector<PlacementGuess> guesses_for(const MapPattern& fixed, const MapPattern& moved, double least_m) {
@@ -95,7 +117,6 @@ std::vector<PlacementGuess> guesses_for(const MapPattern& fixed, const MapPatter
   return guesses;
 }
 
-/// The placement about its middle: where the moved map's origin lies says little about how sure it is.
 Mat3 covariance_of(const Mat3& information) {
   return (information + kHold * Mat3::Identity()).inverse();
 }
@@ -109,6 +130,10 @@ void MapAlignmentParams::describe(FieldList& fields) {
               "share of the walls in sight of both maps that both must have");
   fields.real("denied_run_max_m", denied_run_max_m, {0.1, 1000},
               "a longer piece of wall that one map has and the other denies contradicts a placement");
+  fields.flag("allows_changes", allows_changes,
+              "a contradicted placement may be the true one: something was built");
+  fields.real("contradicted_share", contradicted_share, {0.1, 1},
+              "share at which a contradicted placement makes the best one ambiguous");
   fields.real("rival_share", rival_share, {0.1, 1},
               "a placement that explains this share of what the best one does makes it ambiguous");
   fields.real("rival_agreement", rival_agreement, {0.1, 1}, "if the maps agree so far at it");
@@ -181,16 +206,7 @@ MapAlignment align_maps(const MapPattern& fixed, const MapPattern& moved, const 
   }
   alignment.placements = std::move(placements.all());
   if (alignment.placements.empty()) return alignment;
-  const auto rival = std::find_if(
-      alignment.placements.begin() + 1, alignment.placements.end(),
-      [&](const MapPlacement& other) { return other.overlap.agreement() >= params.rival_agreement; });
-  if (rival != alignment.placements.end())
-    alignment.rival_share = rival->overlap.score_m() / alignment.best().overlap.score_m();
-  if (!is_sound(alignment.best().overlap, params))
-    alignment.verdict = AlignmentVerdict::kApart;
-  else
-    alignment.verdict =
-        alignment.rival_share >= params.rival_share ? AlignmentVerdict::kAmbiguous : AlignmentVerdict::kFound;
+  judge(alignment, params);
   alignment.placements.resize(std::min(alignment.placements.size(), kKept));
   return alignment;
 }

@@ -36,7 +36,7 @@ Result<Building> read_comparable_map(const std::filesystem::path& file, Console&
   return building;
 }
 
-nlohmann::ordered_json pose_json(const Pose2& T) {
+nlohmann::ordered_json placement_json(const Pose2& T) {
   return {
       {"x_m", rounded(T.x, 3)}, {"y_m", rounded(T.y, 3)}, {"heading_deg", rounded(to_degrees(T.theta), 3)}};
 }
@@ -51,7 +51,7 @@ nlohmann::ordered_json alignment_json(const MapAlignment& alignment) {
   figures["agreement"] = rounded(best.overlap.agreement(), 3);
   figures["rival_share"] = rounded(alignment.rival_share, 3);
   if (!alignment.is_found()) return figures;
-  figures.update(pose_json(best.T_fixed_moved));
+  figures.update(placement_json(best.T_fixed_moved));
   figures["sigma_m"] = rounded(best.sigma_m(), 4);
   figures["sigma_deg"] = rounded(to_degrees(best.sigma_rad()), 4);
   return figures;

@@ -15,6 +15,6 @@ Result<Building> read_comparable_map(const std::filesystem::path& file, Console&
 /// sure that is.
 nlohmann::ordered_json alignment_json(const MapAlignment& alignment);
 
-nlohmann::ordered_json pose_json(const Pose2& T);
+nlohmann::ordered_json placement_json(const Pose2& T);
 
 }  // namespace aisle

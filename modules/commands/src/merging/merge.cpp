@@ -48,7 +48,7 @@ Json figures_of(const std::vector<MapPart>& parts, const MergedBuilding& merged)
   Json figures = {{"parts", Json::array()}, {"links", Json::array()}};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     figures["parts"].push_back({{"name", parts[i].name}, {"walls", parts[i].building.walls.walls.size()}});
-    if (!merged.T_map_part.empty()) figures["parts"].back().update(pose_json(merged.T_map_part[i]));
+    if (!merged.T_map_part.empty()) figures["parts"].back().update(placement_json(merged.T_map_part[i]));
   }
   for (const PartLink& link : merged.links) {
     figures["links"].push_back({{"parts", {parts[link.first].name, parts[link.second].name}}});

@@ -14,7 +14,7 @@ namespace aisle {
 
 struct MergeParams {
   /// Between maps of one time, walls do not come and go; doors do, and what is narrower.
-  MapAlignmentParams alignment{.agreement_min = 0.85, .denied_run_max_m = 1};
+  MapAlignmentParams alignment{.agreement_min = 0.85, .allows_changes = false};
   double strain_max_m = 0.3;  ///< by which overlaps that close a loop may disagree
   double strain_max_rad = 2 * kDegree;
   double upright_rad = 1 * kDegree;  ///< axes of two maps within this of one another are the same

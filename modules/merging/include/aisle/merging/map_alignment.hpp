@@ -10,13 +10,15 @@
 namespace aisle {
 
 struct MapAlignmentParams {
-  double common_min_m = 12;        ///< walls that both maps must have
-  double fixing_min_m = 3;         ///< of these, across every direction
-  double agreement_min = 0.75;     ///< share of the walls in sight of both that both must have
-  double denied_run_max_m = 1000;  ///< a longer piece of wall that one map denies contradicts a placement
-  double rival_share = 0.35;       ///< a placement with this share of the best one's score makes it ambiguous
-  double rival_agreement = 0.6;    ///< if the maps agree so far at it
-  double apart_m = 0.5;            ///< placements nearer than this are one
+  double common_min_m = 12;     ///< walls that both maps must have
+  double fixing_min_m = 3;      ///< of these, across every direction
+  double agreement_min = 0.75;  ///< share of the walls in sight of both that both must have
+  double denied_run_max_m = 1;  ///< a longer piece of wall that one map denies contradicts a placement
+  bool allows_changes = true;   ///< a contradicted placement may be the true one: something was built
+  double rival_share = 0.35;    ///< a placement with this share of the best one's score makes it ambiguous
+  double contradicted_share = 0.75;  ///< the same of one that is contradicted
+  double rival_agreement = 0.6;      ///< if the maps agree so far at it
+  double apart_m = 0.5;              ///< placements nearer than this are one
   double apart_rad = 5 * kDegree;
   int guesses_max = 20000;  ///< with more, not all placements were looked at, and none is believed
 
