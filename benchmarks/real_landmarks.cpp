@@ -1,20 +1,21 @@
 /// Landmarks from a real camera: a robot among numbered posts (UTIAS MRCLAM, Leung et al. 2011), whose
 /// numbers are hidden from the method, and other robots, which it takes for posts until they move.
-///   real_landmarks [FOLDER [ROBOT]]    FOLDER with Landmark_Groundtruth.dat, Barcodes.dat,
-///                                      RobotN_Odometry.dat and RobotN_Measurement.dat
+///   real_landmarks [FOLDER [ROBOT [DELAY_S]]]    FOLDER with Landmark_Groundtruth.dat, Barcodes.dat,
+///                                                RobotN_Odometry.dat and RobotN_Measurement.dat;
+///                                                DELAY_S: what is seen is stamped later than what the wheels
+///                                                do
 /// Learns the posts from wheel odometry and sightings, localises among them, and prints what that is off
 /// against the surveyed posts. The pose that it is compared with is one by the numbers and the survey: a
 /// filter over the same odometry and sightings, itself a few centimetres off.
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -36,7 +37,6 @@ constexpr double kBearing_rad = 0.02;
 constexpr double kSameImage_s = 0.005;
 constexpr double kCycle_s = 0.25;  // longest
 constexpr double kStep_m = 1e-6;   // the odometry states speeds, not steps
-constexpr int kFirstPost = 6;      // lower numbers are robots
 
 /// What the folder holds of one robot.
 struct Recording {
@@ -78,7 +78,8 @@ VehicleDescription create() {
 /// The path of each wheel to any time, from speeds that last until the next ones are stated.
 class WheelPaths {
  public:
-  WheelPaths(const std::vector<Row>& speeds, double separation_m) : speeds_(speeds), separation_m_(separation_m) {}
+  WheelPaths(const std::vector<Row>& speeds, double separation_m)
+      : speeds_(speeds), separation_m_(separation_m) {}
 
   /// @param until_s  not before that of the call before
   WheelSteps steps_until(double until_s) {
@@ -117,7 +118,7 @@ LandmarkSighting sighting_of(double range_m, double bearing_rad) {
                         square(kBearing_rad * range_m) * left * left.transpose()};
 }
 
-Recording read_recording(const fs::path& folder, int robot) {
+Recording read_recording(const fs::path& folder, int robot, double delay_s) {
   Recording recording{.vehicle = create(), .cycles = {}, .subjects = {}, .p_survey_posts = {}};
   for (const Row& row : rows_of(folder / "Landmark_Groundtruth.dat"))
     recording.p_survey_posts[static_cast<int>(row.at(0))] = {row.at(1), row.at(2)};
@@ -133,7 +134,8 @@ Recording read_recording(const fs::path& folder, int robot) {
     recording.subjects.emplace_back();
   };
   begin_cycle(speeds.front().at(0));
-  for (const Row& row : seen) {
+  for (Row row : seen) {
+    row.at(0) -= delay_s;
     while (row.at(0) - recording.cycles.back().stamp_s > kCycle_s)
       begin_cycle(recording.cycles.back().stamp_s + kCycle_s);
     if (row.at(0) - recording.cycles.back().stamp_s > kSameImage_s) begin_cycle(row.at(0));
@@ -199,7 +201,7 @@ class Reference {
 
   /// The first post seen tells where the robot begins, but for the direction that it looks in.
   Pose2 best_start() {
-    constexpr int kDirections = 60;
+    constexpr int kDirections = 24;
     const auto [first_post, seen_at] = first_sighting();
     Pose2 best;
     double least = std::numeric_limits<double>::infinity();
@@ -218,7 +220,8 @@ class Reference {
   std::pair<Vec2, Vec2> first_sighting() const {
     Pose2 T_start_vehicle;
     for (std::size_t i = 0; i < recording_.cycles.size(); ++i) {
-      if (i > 0) T_start_vehicle = T_start_vehicle * odometry_step(recording_.vehicle, recording_.cycles[i].odometry);
+      if (i > 0)
+        T_start_vehicle = T_start_vehicle * odometry_step(recording_.vehicle, recording_.cycles[i].odometry);
       for (std::size_t k = 0; k < recording_.subjects[i].size(); ++k) {
         const auto post = posts_.find(recording_.subjects[i][k]);
         if (post != posts_.end())
@@ -239,18 +242,29 @@ class Reference {
 struct Alignment {
   Pose2 T_survey_map;
   std::vector<double> off_m;  ///< of the posts that were learned
-  std::size_t others = 0;     ///< landmarks that are no post, or a post again
+  std::vector<double> path_off_m;
+  std::size_t others = 0;  ///< landmarks that are no post, or a post again
 };
+
+/// The reference begins without knowing where.
+bool is_settled(const UncertainPose2& T_survey_vehicle) {
+  constexpr double kSettled_m = 0.1;
+  return T_survey_vehicle.covariance.topLeftCorner<2, 2>().trace() < square(kSettled_m);
+}
 
 /// The rigid transform that lays the learned posts upon the surveyed ones, begun where the paths lie upon
 /// each other.
 Alignment align(const LandmarkMap& map, std::span<const Pose2> T_map_vehicle,
                 std::span<const UncertainPose2> T_survey_vehicle, const std::map<int, Vec2>& posts) {
-  constexpr double kSamePost_m = 0.5;
+  constexpr double kSamePost_m = 0.5;  // posts are 0.7 m apart and more
   std::vector<PointPair> pairs;
-  for (std::size_t i = 0; i < T_map_vehicle.size(); ++i)
-    pairs.push_back({T_map_vehicle[i].position(), T_survey_vehicle[i].mean.position()});
-  Alignment alignment{.T_survey_map = fit_points(pairs), .off_m = {}};
+  for (std::size_t i = 0; i < T_map_vehicle.size(); ++i) {
+    if (is_settled(T_survey_vehicle[i]))
+      pairs.push_back({T_map_vehicle[i].position(), T_survey_vehicle[i].mean.position()});
+  }
+  Alignment alignment{.T_survey_map = fit_points(pairs), .off_m = {}, .path_off_m = {}};
+  for (const PointPair& pair : pairs)
+    alignment.path_off_m.push_back((alignment.T_survey_map * pair.from - pair.to).norm());
   for (int round = 0; round < 5; ++round) {
     pairs.clear();
     for (const auto& [subject, p_survey] : posts) {
@@ -267,7 +281,8 @@ Alignment align(const LandmarkMap& map, std::span<const Pose2> T_map_vehicle,
     if (pairs.size() < 3) break;
     alignment.T_survey_map = fit_points(pairs);
   }
-  for (const PointPair& pair : pairs) alignment.off_m.push_back((alignment.T_survey_map * pair.from - pair.to).norm());
+  for (const PointPair& pair : pairs)
+    alignment.off_m.push_back((alignment.T_survey_map * pair.from - pair.to).norm());
   alignment.others = map.size() - pairs.size();
   return alignment;
 }
@@ -283,8 +298,9 @@ double worst(const std::vector<double>& values) {
 }
 
 void print_map(const std::string& what, const Alignment& alignment, std::size_t posts) {
-  fmt::print("| {} | {} of {} | {:.3f} | {:.3f} | {} |\n", what, alignment.off_m.size(), posts, rms(alignment.off_m),
-             worst(alignment.off_m), alignment.others);
+  fmt::print("| {} | {:.3f} | {} of {} | {:.3f} | {:.3f} | {} |\n", what, rms(alignment.path_off_m),
+             alignment.off_m.size(), posts, rms(alignment.off_m), worst(alignment.off_m), alignment.others);
+  std::fflush(stdout);
 }
 
 /// How a robot fared among known landmarks.
@@ -297,9 +313,9 @@ struct Localisation {
 constexpr double kWrong_m = 0.5, kWrong_rad = 10 * kDegree;
 constexpr double kLost_m = 0.35, kLost_rad = 6 * kDegree;  // more uncertain, it is lost: as LandmarkNavigator
 
-Localisation localise(const LandmarkMap& map, const Recording& recording, std::size_t from, const Pose2& T_survey_map,
-                      std::span<const UncertainPose2> T_survey_vehicle, const UncertainPose2& T_map_start,
-                      const std::vector<Pose2>& places, bool begins_lost) {
+Localisation localise(const LandmarkMap& map, const Recording& recording, std::size_t from,
+                      const Pose2& T_survey_map, std::span<const UncertainPose2> T_survey_vehicle,
+                      const UncertainPose2& T_map_start, const std::vector<Pose2>& places, bool begins_lost) {
   LandmarkLocaliser localiser({}, recording.vehicle, T_map_start);
   LandmarkRelocator relocator({}, {}, recording.vehicle, places);
   Localisation result;
@@ -332,6 +348,7 @@ Localisation localise(const LandmarkMap& map, const Recording& recording, std::s
         continue;
       }
     }
+    if (!is_settled(T_survey_vehicle[i])) continue;
     const Pose2 off = between(T_survey_vehicle[i].mean, T_survey_map * localiser.pose());
     result.off_m.push_back(off.position().norm());
     result.off_rad.push_back(std::abs(off.theta));
@@ -344,9 +361,10 @@ Localisation localise(const LandmarkMap& map, const Recording& recording, std::s
 }
 
 void print_localisation(const std::string& what, const Localisation& result) {
-  fmt::print("| {} | {:.3f} | {:.2f} | {:.3f} | {:.0f} | {:.0f} | {} | {} | {} |\n", what, rms(result.off_m),
-             rms(result.off_rad) / kDegree, worst(result.off_m), 100.0 * result.matched / std::max(1, result.images),
-             100.0 * result.sure_cycles / std::max(1, result.cycles), result.lost, result.found, result.wrong);
+  fmt::print(
+      "| {} | {:.3f} | {:.2f} | {:.3f} | {:.0f} | {:.0f} | {} | {} | {} |\n", what, rms(result.off_m),
+      rms(result.off_rad) / kDegree, worst(result.off_m), 100.0 * result.matched / std::max(1, result.images),
+      100.0 * result.sure_cycles / std::max(1, result.cycles), result.lost, result.found, result.wrong);
 }
 
 std::vector<Pose2> places_along(std::span<const Pose2> T_map_vehicle) {
@@ -366,16 +384,15 @@ void measure(const Recording& recording) {
   const Reference reference(recording);
   std::string misnumbered;
   for (const int subject : reference.misnumbered()) misnumbered += fmt::format(" {}", subject);
-  fmt::print("{} cycles; posts whose numbers do not fit the survey:{}\n", recording.cycles.size(), misnumbered);
+  fmt::print("{} cycles; posts whose numbers do not fit the survey:{}\n", recording.cycles.size(),
+             misnumbered);
   const auto& truth = reference.poses();
   const LandmarkLearningParams params;
   const std::size_t posts = recording.p_survey_posts.size();
   const std::span<const LandmarkCycle> all = recording.cycles;
 
-  fmt::print("\n| learned | posts | rms (m) | worst (m) | others |\n|---|---|---|---|---|\n");
-  const LearnedRun whole = learn_landmarks(all, recording.vehicle, params);
-  const Alignment on_whole = align(whole.map, whole.T_map_vehicle, truth, recording.p_survey_posts);
-  print_map("whole run", on_whole, posts);
+  fmt::print(
+      "\n| learned | path, rms (m) | posts | rms (m) | worst (m) | others |\n|---|---|---|---|---|---|\n");
   const std::size_t third = all.size() / 3;
   const LearnedRun taught = learn_landmarks(all.first(third), recording.vehicle, params);
   const Alignment on_taught = align(taught.map, taught.T_map_vehicle, truth, recording.p_survey_posts);
@@ -388,12 +405,19 @@ void measure(const Recording& recording) {
         refine_landmarks(map, all.subspan(from, third), recording.vehicle, T_map_vehicle, params);
     map = refined.map;
     T_map_vehicle = about(refined.T_map_vehicle.back(), 0.15, 3 * kDegree);
-    print_map(from == third ? "refined by the second" : "refined by the last",
-              align(map, refined.T_map_vehicle, std::span(truth).subspan(from, third), recording.p_survey_posts), posts);
+    print_map(
+        from == third ? "refined by the second" : "refined by the last",
+        align(map, refined.T_map_vehicle, std::span(truth).subspan(from, third), recording.p_survey_posts),
+        posts);
   }
 
+  const LearnedRun whole = learn_landmarks(all, recording.vehicle, params);
+  const Alignment on_whole = align(whole.map, whole.T_map_vehicle, truth, recording.p_survey_posts);
+  print_map("whole run", on_whole, posts);
+
   fmt::print(
-      "\n| localised | rms (m) | rms (deg) | worst (m) | images matched (%) | sure (%) | lost | found | wrong "
+      "\n| localised | rms (m) | rms (deg) | worst (m) | images matched (%) | sure (%) | lost | found | "
+      "wrong "
       "|\n|---|---|---|---|---|---|---|---|---|\n");
   print_localisation("whole run in its own map",
                      localise(whole.map, recording, 0, on_whole.T_survey_map, truth,
@@ -420,7 +444,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
-    measure(read_recording(folder, argc > 2 ? std::atoi(argv[2]) : 1));
+    measure(read_recording(folder, argc > 2 ? std::atoi(argv[2]) : 1, argc > 3 ? std::atof(argv[3]) : 0));
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
