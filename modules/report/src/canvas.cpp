@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 void require(cairo_status_t status) {
@@ -44,7 +44,7 @@ std::string with_fixed_ids(std::string svg) {
 
 /// Cairo refuses text that is not UTF-8, and everything drawn after it.
 bool is_readable(const std::string& text) {
-  const Surface scratch(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
+  const CairoSurface scratch(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
   const Context cairo(cairo_create(scratch.get()), cairo_destroy);
   cairo_text_extents_t extents;
   cairo_text_extents(cairo.get(), text.c_str(), &extents);
@@ -86,8 +86,8 @@ void Canvas::fill(const Color& color) {
 }
 
 void Canvas::image(const Image& image, const Vec2& corner) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width_px, image.height_px),
-                        cairo_surface_destroy);
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width_px, image.height_px),
+                             cairo_surface_destroy);
   require(cairo_surface_status(surface.get()));
   const int stride = cairo_image_surface_get_stride(surface.get());
   unsigned char* const pixels = cairo_image_surface_get_data(surface.get());
@@ -172,8 +172,8 @@ double Canvas::text_width(const std::string& text, const Font& font) {
 
 std::string svg_document(int width_px, int height_px, const Drawing& draw) {
   std::string document;
-  const Surface surface(cairo_svg_surface_create_for_stream(append, &document, width_px, height_px),
-                        cairo_surface_destroy);
+  const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &document, width_px, height_px),
+                             cairo_surface_destroy);
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
   draw_on(surface.get(), draw);
   cairo_surface_finish(surface.get());
@@ -182,8 +182,8 @@ std::string svg_document(int width_px, int height_px, const Drawing& draw) {
 }
 
 std::string png_file(int width_px, int height_px, const Drawing& draw) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, height_px),
-                        cairo_surface_destroy);
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, height_px),
+                             cairo_surface_destroy);
   draw_on(surface.get(), draw);
   std::string file;
   require(cairo_surface_write_to_png_stream(surface.get(), append, &file));
