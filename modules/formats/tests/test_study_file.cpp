@@ -63,8 +63,8 @@ TEST(StudyFile, SaysWhatIsWrong) {
   EXPECT_THAT(study_problems("sweep:\n  - {option: --speed, values: []}\n"), HasSubstr("has no values"));
   std::string values;
   for (int i = 0; i < 15; ++i) values += std::to_string(i) + ",";
-  EXPECT_THAT(study_problems("sweep:\n  - {option: --a, values: [" + values + "]}\n  - {option: --b, values: [" +
-                          values + "]}\n"),
+  EXPECT_THAT(study_problems("sweep:\n  - {option: --a, values: [" + values +
+                             "]}\n  - {option: --b, values: [" + values + "]}\n"),
               HasSubstr("sweep[1]"));
   EXPECT_THAT(to_string(parse_study("[1, 2]", "study.yaml").problems()), HasSubstr("is not a study"));
   EXPECT_THAT(to_string(parse_study("a: [", "study.yaml").problems()), HasSubstr("is not YAML"));

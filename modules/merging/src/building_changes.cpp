@@ -19,7 +19,7 @@ constexpr double kSharedLength = 0.5;  // of the shorter of two pieces that are 
 constexpr double kDoorMin_m = 0.55, kDoorMax_m = 1.4;
 constexpr double kJamb_m = 0.4;     // from a door's ends to the wall that it is in, along it ...
 constexpr double kReveal_m = 0.35;  // ... and across
-constexpr int kBeside_cells = 2;
+constexpr double kBeside_m = 0.1;
 
 WallChange change_by(MapOpinion opinion, WallChange if_denied) {
   switch (opinion) {
@@ -58,6 +58,7 @@ std::vector<WallChange> fates_along(const Wall& wall, const MapPattern& other, W
   const Vec2 normal = left_normal(along / along.norm());
   const int steps = std::max(1, static_cast<int>(std::lround(along.norm() / kStep_m)));
   std::vector<WallChange> fates;
+  fates.reserve(static_cast<std::size_t>(steps));
   for (int i = 0; i < steps; ++i)
     fates.push_back(
         change_by(other.opinion_of(wall.segment.start + along * ((i + 0.5) / steps), normal), if_denied));
@@ -168,8 +169,9 @@ std::vector<DoorChange> doors_among(const std::vector<ChangedWall>& pieces) {
 }
 
 bool is_beside(const FloorGrid& floor, FloorCell cell, Floor kind) {
-  for (int y = cell.y - kBeside_cells; y <= cell.y + kBeside_cells; ++y) {
-    for (int x = cell.x - kBeside_cells; x <= cell.x + kBeside_cells; ++x) {
+  const int beside = static_cast<int>(std::lround(kBeside_m / floor.cell_m()));
+  for (int y = cell.y - beside; y <= cell.y + beside; ++y) {
+    for (int x = cell.x - beside; x <= cell.x + beside; ++x) {
       if (floor.at(FloorCell{x, y}) == kind) return true;
     }
   }
@@ -219,14 +221,15 @@ double BuildingChanges::length_m(WallChange change) const {
 BuildingChanges changes_between(const Building& old_map, const Building& new_map, const Pose2& T_old_new) {
   if (!old_map.floor || !new_map.floor)
     throw std::invalid_argument("maps without a floor do not say what they have not seen");
-  const Building placed = moved_building(new_map, T_old_new);
+  const double cell_m = std::max(old_map.floor->cell_m(), new_map.floor->cell_m());
+  const Building placed = moved_building(new_map, T_old_new, cell_m);
   const MapPattern before(old_map), now(placed);
   BuildingChanges changes;
   add_pieces(old_map.walls, now, false, changes.walls);
   add_pieces(placed.walls, before, true, changes.walls);
   pair_moved(changes.walls);
   changes.doors = doors_among(changes.walls);
-  changes.floor = floor_changes(*old_map.floor, *placed.floor);
+  changes.floor = floor_changes(moved_floor(*old_map.floor, {}, cell_m), *placed.floor);
   return changes;
 }
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kInFront_m = 0.05;  // the two faces of a thin wall are told apart from in front of them
 constexpr double kSameFacing = 0.7;  // cosine
+constexpr double kPastEnd_m = 0.05;  // two maps' ends of one wall differ by this
 constexpr double kDeniedWeight = 2;  // walls do not vanish
 
 struct OneSide {
@@ -34,6 +35,15 @@ OneSide opinions_of(const MapPattern& map, const MapPattern& other, const Pose2&
     side.spread += sample.length_m * normal * normal.transpose();
   }
   return side;
+}
+
+/// Whether the place is on the surface, as far as two maps of it agree, and not in the opening at its end.
+bool is_on(const Surface& surface, const Vec2& p_map) {
+  if (surface.segment.distance(p_map) > MapPattern::kSame_m) return false;
+  if (!surface.is_wall()) return true;
+  const Vec2 wall = surface.segment.end - surface.segment.start;
+  const double along_m = wall.normalized().dot(p_map - surface.segment.start);
+  return along_m >= -kPastEnd_m && along_m <= wall.norm() + kPastEnd_m;
 }
 
 }  // namespace
@@ -63,7 +73,7 @@ MapOpinion MapPattern::opinion_of(const Vec2& p_map, const Vec2& normal) const {
   const Surface* const surface = field_.nearest(p_map + kInFront_m * normal);
   const bool may_be_it =
       surface != nullptr && (!surface->is_wall() || surface->normal.dot(normal) > kSameFacing);
-  if (may_be_it && surface->segment.distance(p_map) <= kSame_m) return MapOpinion::kConfirmed;
+  if (may_be_it && is_on(*surface, p_map)) return MapOpinion::kConfirmed;
   const bool is_free = field_.can_stand(p_map) && field_.distance_m(p_map) > kBeyond_m;
   return is_free ? MapOpinion::kDenied : MapOpinion::kSilent;
 }

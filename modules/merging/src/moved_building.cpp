@@ -53,23 +53,23 @@ Zone moved_zone(Zone zone, const Pose2& T_to_map) {
 }
 
 /// The cells of the new grid that the floor may cover.
-FloorBox covered_box(const FloorGrid& floor, const Pose2& T_to_map) {
+FloorBox covered_box(const FloorGrid& floor, const Pose2& T_to_map, const FloorGrid& moved) {
   const FloorBox& known = floor.known();
   FloorBox box;
   for (const int x : {known.low.x, known.end.x}) {
     for (const int y : {known.low.y, known.end.y})
-      box.include(floor.cell_at(T_to_map * (floor.cell_m() * Vec2(x, y))));
+      box.include(moved.cell_at(T_to_map * (floor.cell_m() * Vec2(x, y))));
   }
   return box.widened(1);
 }
 
 }  // namespace
 
-FloorGrid moved_floor(const FloorGrid& floor, const Pose2& T_to_map) {
-  FloorGrid moved(floor.cell_m());
+FloorGrid moved_floor(const FloorGrid& floor, const Pose2& T_to_map, double cell_m) {
+  FloorGrid moved(cell_m);
   if (floor.known().empty()) return moved;
   const Pose2 T_map_to = T_to_map.inverse();
-  const FloorBox box = covered_box(floor, T_to_map), &known = floor.known();
+  const FloorBox box = covered_box(floor, T_to_map, moved), &known = floor.known();
   for (int y = box.low.y; y < box.end.y; ++y) {
     for (int x = box.low.x; x < box.end.x; ++x) {
       const Floor seen = floor.at(Vec2(T_map_to * moved.centre({x, y})));
@@ -85,7 +85,7 @@ FloorGrid moved_floor(const FloorGrid& floor, const Pose2& T_to_map) {
   return moved;
 }
 
-Building moved_building(const Building& building, const Pose2& T_to_map) {
+Building moved_building(const Building& building, const Pose2& T_to_map, std::optional<double> cell_m) {
   Building moved = building;
   moved.walls = moved_walls(building.walls, T_to_map);
   moved.landmarks.assign(moved_landmarks(building.landmarks.all(), T_to_map));
@@ -98,7 +98,8 @@ Building moved_building(const Building& building, const Pose2& T_to_map) {
   for (MapPlace& place : moved.places) place.T_map_place = T_to_map * place.T_map_place;
   for (Barrier& barrier : moved.barriers) barrier.segment = T_to_map * barrier.segment;
   for (Zone& zone : moved.zones) zone = moved_zone(std::move(zone), T_to_map);
-  if (building.floor) moved.floor = moved_floor(*building.floor, T_to_map);
+  if (building.floor)
+    moved.floor = moved_floor(*building.floor, T_to_map, cell_m.value_or(building.floor->cell_m()));
   return moved;
 }
 

@@ -22,8 +22,8 @@ constexpr double kOneWallGate_m = 0.12;
 constexpr double kWallReach_m = 0.5;
 constexpr double kWallSigmaLeast_m = 0.005;
 constexpr double kWallHeadingSigma_m = 0.02;  // of a wall's ends against each other
-constexpr int kSameSurface_cells =
-    2;  // a cell so near to an occupied one of the other floor is the same surface
+constexpr double kSameSurface_m =
+    0.1;  // a cell so near to an occupied one of the other floor is the same surface
 constexpr double kOneLandmark_m = 0.08;
 constexpr double kOneLandmarkDeviations = 9;  // squared: three standard deviations
 constexpr double kOnePlace_m = 0.1;
@@ -75,8 +75,9 @@ WallMap united_walls(std::span<const Building> parts) {
 }
 
 bool has_surface_at(const FloorGrid& floor, FloorCell cell) {
-  for (int y = cell.y - kSameSurface_cells; y <= cell.y + kSameSurface_cells; ++y) {
-    for (int x = cell.x - kSameSurface_cells; x <= cell.x + kSameSurface_cells; ++x) {
+  const int near = static_cast<int>(std::lround(kSameSurface_m / floor.cell_m()));
+  for (int y = cell.y - near; y <= cell.y + near; ++y) {
+    for (int x = cell.x - near; x <= cell.x + near; ++x) {
       if (floor.at(FloorCell{x, y}) == Floor::kOccupied) return true;
     }
   }
@@ -213,6 +214,16 @@ class Union {
   std::vector<std::string>& notes_;
 };
 
+/// The narrowest of the parts' floor cells.
+std::optional<double> finest_cell_m(std::span<const MapPart> parts) {
+  std::optional<double> finest_m;
+  for (const MapPart& part : parts) {
+    if (part.building.floor && part.building.floor->cell_m() < finest_m.value_or(1))
+      finest_m = part.building.floor->cell_m();
+  }
+  return finest_m;
+}
+
 }  // namespace
 
 Building united_building(std::span<const MapPart> parts, std::span<const Pose2> T_map_part,
@@ -220,7 +231,7 @@ Building united_building(std::span<const MapPart> parts, std::span<const Pose2> 
   std::vector<Building> placed;
   placed.reserve(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
-    placed.push_back(moved_building(parts[i].building, T_map_part[i]));
+    placed.push_back(moved_building(parts[i].building, T_map_part[i], finest_cell_m(parts)));
   WallMap walls = united_walls(placed);
   Union whole(std::move(placed.front()), notes);
   for (std::size_t i = 1; i < parts.size(); ++i) whole.add(parts[i].name, std::move(placed[i]));

@@ -60,13 +60,24 @@ TEST(BuildingChanges, AWallThatWasMovedSaysByHowMuch) {
   EXPECT_NEAR(moved->segment.midpoint().x(), 9.5, 0.01);
 }
 
+TEST(BuildingChanges, NarrowerCellsAreNoChange) {
+  const Building coarse = known(Plan(drawn::office()));
+  Building fine = coarse;
+  fine.floor = moved_floor(*coarse.floor, {}, coarse.floor->cell_m() / 2);
+  for (const auto& changes : {changes_between(coarse, fine, {}), changes_between(fine, coarse, {})}) {
+    EXPECT_EQ(changes.floor.area_m2(FloorChange::kWon) + changes.floor.area_m2(FloorChange::kLost), 0);
+    EXPECT_NEAR(changes.floor.area_m2(FloorChange::kSame), coarse.floor->free_m2(), 0.1);
+  }
+}
+
 TEST(BuildingChanges, ADoorThatWasShutAndOpened) {
   const Building open = known(Plan(two_rooms(true))), shut = known(Plan(two_rooms(false)));
   const BuildingChanges closed = changes_between(open, shut, {}), opened = changes_between(shut, open, {});
   ASSERT_EQ(closed.doors.size(), 1u);
   EXPECT_FALSE(closed.doors[0].is_open);
-  EXPECT_NEAR(closed.doors[0].opening.length(), 1, 0.15);
-  EXPECT_NEAR(closed.doors[0].opening.midpoint().y(), 2.5, 0.1);
+  // Beside a jamb neither map can tell: an opening's ends are known to 0.3 m.
+  EXPECT_NEAR(closed.doors[0].opening.length(), 1, 0.35);
+  EXPECT_NEAR(closed.doors[0].opening.midpoint().y(), 2.5, 0.2);
   ASSERT_EQ(opened.doors.size(), 1u);
   EXPECT_TRUE(opened.doors[0].is_open);
 }

@@ -48,7 +48,8 @@ TEST(MovedBuilding, AWallTurnedOffTheAxesIsOblique) {
 
 TEST(MovedFloor, AQuarterTurnByWholeCellsIsExact) {
   const FloorGrid floor = *furnished().floor;
-  const FloorGrid back = moved_floor(moved_floor(floor, kQuarterTurn), kQuarterTurn.inverse());
+  const FloorGrid back =
+      moved_floor(moved_floor(floor, kQuarterTurn, floor.cell_m()), kQuarterTurn.inverse(), floor.cell_m());
   EXPECT_EQ(back.count(Floor::kFree), floor.count(Floor::kFree));
   for (int y = floor.known().low.y; y < floor.known().end.y; ++y) {
     for (int x = floor.known().low.x; x < floor.known().end.x; ++x)
@@ -56,11 +57,20 @@ TEST(MovedFloor, AQuarterTurnByWholeCellsIsExact) {
   }
 }
 
+TEST(MovedFloor, NarrowerCellsCoverTheSameFloor) {
+  const FloorGrid floor = *furnished().floor;
+  const FloorGrid fine = moved_floor(floor, {}, floor.cell_m() / 2);
+  EXPECT_NEAR(fine.free_m2(), floor.free_m2(), 1e-9);
+  const FloorGrid back = moved_floor(fine, {}, floor.cell_m());
+  EXPECT_EQ(back.count(Floor::kOccupied), floor.count(Floor::kOccupied));
+  EXPECT_EQ(back.count(Floor::kFree), floor.count(Floor::kFree));
+}
+
 TEST(MovedFloor, NoOccupiedCellIsLost) {
   FloorGrid floor;
   for (int i = 0; i < 200; ++i) floor.set({i, 3}, Floor::kOccupied);
   const Pose2 T{1, 2, 0.6};
-  const FloorGrid moved = moved_floor(floor, T);
+  const FloorGrid moved = moved_floor(floor, T, floor.cell_m());
   for (int i = 0; i < 200; ++i) EXPECT_EQ(moved.at(Vec2(T * floor.centre({i, 3}))), Floor::kOccupied);
 }
 

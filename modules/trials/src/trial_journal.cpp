@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cstdint>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -112,6 +113,14 @@ Problems TrialJournal::enter(const TrialOptions& options) {
 }
 
 TrialJournal::~TrialJournal() {
+  try {
+    leave();
+  } catch (const std::exception&) {  // for want of memory: an empty journal stays
+  }
+}
+
+/// The last to leave a journal without a line removes it.
+void TrialJournal::leave() {
   if (!file_) return;
   const auto is_alone = file_->lock(kOpenByte, SharedFile::Lock::kExclusive);
   const auto size = file_->size();

@@ -31,6 +31,7 @@ class TrialJournal {
   /// process has the journal open; it cannot be read, written or locked.
   static Result<TrialJournal> open(const TrialOptions& options);
 
+  // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON throws only where its own invariant is broken
   TrialJournal(TrialJournal&& other) = default;
   TrialJournal& operator=(TrialJournal&&) = delete;
   ~TrialJournal();
@@ -53,7 +54,8 @@ class TrialJournal {
   Problems add_death(const std::string& name, const std::string& died_of);
 
  private:
-  TrialJournal() = default;
+  TrialJournal() = default;  // NOLINT(bugprone-exception-escape): making empty JSON throws nothing
+  void leave();
   Problems enter(const TrialOptions& options);
   Problems read_news();
   Problems take_line(const std::string& line);

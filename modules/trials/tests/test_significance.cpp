@@ -34,7 +34,7 @@ TEST(Significance, SignFlipByHand) {
   EXPECT_DOUBLE_EQ(sign_flip_p({}), 1);
   EXPECT_DOUBLE_EQ(sign_flip_p({0, 0, 0}), 1);
   EXPECT_DOUBLE_EQ(sign_flip_p({1, 1, 1, 1}), 2.0 / 16);
-  EXPECT_DOUBLE_EQ(sign_flip_p({3, 1, -1}), 4.0 / 8);  // sums of at least 3 either way
+  EXPECT_DOUBLE_EQ(sign_flip_p({3, 1, -1}), 6.0 / 8);  // sums 5, 3, 3 and 1 either way
 }
 
 TEST(Significance, NoiseIsSeldomTakenForADifference) {

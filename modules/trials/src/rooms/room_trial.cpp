@@ -133,7 +133,7 @@ Json park_figures(const RoomTrial& trial) {
 
 Result<TrialResult> trial_by_route(const TrialOptions& options, const RoomTrialParams& params,
                                    Console& console) {
-  const auto missions =
+  auto missions =
       drive_missions(options, params, {}, console,
                      [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
                        Random random(seed);
@@ -165,7 +165,7 @@ Result<TrialResult> trial_of_parking(const TrialOptions& options, const RoomTria
     return Problem{{"--reverse"}, "vehicles park backwards in painted frames only"};
   RoomTrialParams params = given;
   params.navigator.frame_backing.wanted |= options.in_reverse;
-  const auto missions =
+  auto missions =
       drive_missions(options, params, options.strategy, console,
                      [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
                        const double from_m = std::max(0.0, taught.route.path.length_m() - kBeforeEnd_m);

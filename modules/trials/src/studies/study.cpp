@@ -161,7 +161,8 @@ std::string text_of(const VariantRun& run, const Json& json) {
   std::string text = fmt::format("{}: {} of {} went well ({:.0f} to {:.0f} %)\n", run.name, well_in(run),
                                  run.missions(), 100 * share.low, 100 * share.high);
   if (run.not_taught > 0) text += fmt::format("  {} could not be taught\n", run.not_taught);
-  for (const auto& [figure, value] : json.value("figures", Json::object()).items())
+  const Json figures = json.value("figures", Json::object());
+  for (const auto& [figure, value] : figures.items())
     text += fmt::format("  {}: {:.4g} ({:.4g} to {:.4g})\n", figure, value["mean"].get<double>(),
                         value["interval_95"][0].get<double>(), value["interval_95"][1].get<double>());
   return text;
