@@ -74,10 +74,7 @@ void add_study_verb(CLI::App& app, Work& work) {
           "-o,--out", choices->out,
           "directory that keeps each variant's missions as they end; the same command goes on from there")
       ->required();
-  verb->add_option(
-          "--jobs", choices->jobs,
-          "missions that run at a time (default: as many as there are cores; under mpirun 1 in each process)")
-      ->check(CLI::Range(1, 1024));
+  add_jobs(*verb, choices->jobs);
   verb->add_flag("--force", choices->force, "replace the missions that --out holds");
   verb->callback(
       [=, &work] { work = [choices](Console& console) { return run_study_file(*choices, console); }; });

@@ -43,6 +43,14 @@ std::vector<std::string> words_of(const CLI::App& verb, const std::set<const CLI
 
 }  // namespace
 
+const CLI::Option* add_jobs(CLI::App& verb, int& jobs) {
+  return verb
+      .add_option("--jobs", jobs,
+                  "missions that run at a time (default: as many as there are cores; under mpirun 1 in each "
+                  "process)")
+      ->check(CLI::Range(1, 1024));
+}
+
 void add_trial_verb(CLI::App& app, Work& work) {
   add_trial_verb(app, work, [&work](const TrialOptions& options) {
     work = [options](Console& console) { return run_trial(options, console); };
@@ -110,10 +118,7 @@ void add_trial_verb(CLI::App& app, Work& work, const std::function<void(const Tr
   const CLI::Option* only = verb->add_option(
       "--only", options->only,
       "run one of the trial's missions, by its name, such as 'seed 5': as it would run among all");
-  const CLI::Option* jobs = verb->add_option(
-      "--jobs", options->jobs,
-      "missions that run at a time (default: as many as there are cores; under mpirun 1 in each process)");
-  verb->get_option("--jobs")->check(CLI::Range(1, 1024));
+  const CLI::Option* jobs = add_jobs(*verb, options->jobs);
   const CLI::Option* out = verb->add_option(
       "-o,--out", options->out,
       "directory that keeps each mission as it ends; the same command goes on from there, and shares the "

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "aisle/maps/occupied_near.hpp"
+
 namespace aisle {
 namespace {
 
@@ -146,13 +148,7 @@ class FloorPainter {
 /// seen.
 bool may_stand_at(const FloorGrid& floor, FloorCell cell) {
   if (floor.at(cell) != Floor::kUnknown) return floor.at(cell) == Floor::kOccupied;
-  const int gap = static_cast<int>(kWallGap_m / floor.cell_m());
-  for (int y = cell.y - gap; y <= cell.y + gap; ++y) {
-    for (int x = cell.x - gap; x <= cell.x + gap; ++x) {
-      if (floor.at(FloorCell{x, y}) == Floor::kOccupied) return true;
-    }
-  }
-  return false;
+  return is_occupied_near(floor, cell, static_cast<int>(kWallGap_m / floor.cell_m()));
 }
 
 /// Whether something known stands before the range at which the beam begins to look, or slightly behind it:

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "aisle/merging/moved_building.hpp"
+#include "same_surface.hpp"
 
 namespace aisle {
 namespace {
@@ -19,7 +20,6 @@ constexpr double kSharedLength = 0.5;  // of the shorter of two pieces that are 
 constexpr double kDoorMin_m = 0.55, kDoorMax_m = 1.4;
 constexpr double kJamb_m = 0.4;     // from a door's ends to the wall that it is in, along it ...
 constexpr double kReveal_m = 0.35;  // ... and across
-constexpr double kBeside_m = 0.1;
 
 WallChange change_by(MapOpinion opinion, WallChange if_denied) {
   switch (opinion) {
@@ -168,24 +168,14 @@ std::vector<DoorChange> doors_among(const std::vector<ChangedWall>& pieces) {
   return doors;
 }
 
-bool is_beside(const FloorGrid& floor, FloorCell cell, Floor kind) {
-  const int beside = static_cast<int>(std::lround(kBeside_m / floor.cell_m()));
-  for (int y = cell.y - beside; y <= cell.y + beside; ++y) {
-    for (int x = cell.x - beside; x <= cell.x + beside; ++x) {
-      if (floor.at(FloorCell{x, y}) == kind) return true;
-    }
-  }
-  return false;
-}
-
 FloorChange change_of_cell(const FloorGrid& old_floor, const FloorGrid& new_floor, FloorCell cell) {
   const Floor before = old_floor.at(cell), now = new_floor.at(cell);
   if (before == now) return before == Floor::kUnknown ? FloorChange::kNotSeen : FloorChange::kSame;
   if (before == Floor::kUnknown) return FloorChange::kOnlyNew;
   if (now == Floor::kUnknown) return FloorChange::kOnlyOld;
   if (now == Floor::kOccupied)
-    return is_beside(old_floor, cell, Floor::kOccupied) ? FloorChange::kSame : FloorChange::kLost;
-  return is_beside(new_floor, cell, Floor::kOccupied) ? FloorChange::kSame : FloorChange::kWon;
+    return has_surface_at(old_floor, cell) ? FloorChange::kSame : FloorChange::kLost;
+  return has_surface_at(new_floor, cell) ? FloorChange::kSame : FloorChange::kWon;
 }
 
 FloorChanges floor_changes(const FloorGrid& old_floor, const FloorGrid& new_floor) {

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "aisle/core/square.hpp"
@@ -13,6 +14,7 @@
 #include "aisle/matching/wall_estimate.hpp"
 #include "aisle/merging/moved_building.hpp"
 #include "aisle/vehicle/same_camera.hpp"
+#include "same_surface.hpp"
 
 namespace aisle {
 namespace {
@@ -22,8 +24,6 @@ constexpr double kOneWallGate_m = 0.12;
 constexpr double kWallReach_m = 0.5;
 constexpr double kWallSigmaLeast_m = 0.005;
 constexpr double kWallHeadingSigma_m = 0.02;  // of a wall's ends against each other
-constexpr double kSameSurface_m =
-    0.1;  // a cell so near to an occupied one of the other floor is the same surface
 constexpr double kOneLandmark_m = 0.08;
 constexpr double kOneLandmarkDeviations = 9;  // squared: three standard deviations
 constexpr double kOnePlace_m = 0.1;
@@ -72,16 +72,6 @@ WallMap united_walls(std::span<const Building> parts) {
   WallMap map;
   for (std::size_t i = 0; i < walls.size(); ++i) map.walls.push_back(as_drawn(walls[i], sightings[i]));
   return map;
-}
-
-bool has_surface_at(const FloorGrid& floor, FloorCell cell) {
-  const int near = static_cast<int>(std::lround(kSameSurface_m / floor.cell_m()));
-  for (int y = cell.y - near; y <= cell.y + near; ++y) {
-    for (int x = cell.x - near; x <= cell.x + near; ++x) {
-      if (floor.at(FloorCell{x, y}) == Floor::kOccupied) return true;
-    }
-  }
-  return false;
 }
 
 /// Enters what another floor has seen. Where one is free and the other occupied, something stood there at
@@ -214,12 +204,13 @@ class Union {
   std::vector<std::string>& notes_;
 };
 
-/// The narrowest of the parts' floor cells.
+/// The narrowest of the parts' floor cells; nullopt: no part has a floor.
 std::optional<double> finest_cell_m(std::span<const MapPart> parts) {
   std::optional<double> finest_m;
   for (const MapPart& part : parts) {
-    if (part.building.floor && part.building.floor->cell_m() < finest_m.value_or(1))
-      finest_m = part.building.floor->cell_m();
+    if (!part.building.floor) continue;
+    const double cell_m = part.building.floor->cell_m();
+    finest_m = std::min(finest_m.value_or(cell_m), cell_m);
   }
   return finest_m;
 }
@@ -228,10 +219,11 @@ std::optional<double> finest_cell_m(std::span<const MapPart> parts) {
 
 Building united_building(std::span<const MapPart> parts, std::span<const Pose2> T_map_part,
                          std::vector<std::string>& notes) {
+  const std::optional<double> cell_m = finest_cell_m(parts);
   std::vector<Building> placed;
   placed.reserve(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
-    placed.push_back(moved_building(parts[i].building, T_map_part[i], finest_cell_m(parts)));
+    placed.push_back(moved_building(parts[i].building, T_map_part[i], cell_m));
   WallMap walls = united_walls(placed);
   Union whole(std::move(placed.front()), notes);
   for (std::size_t i = 1; i < parts.size(); ++i) whole.add(parts[i].name, std::move(placed[i]));
