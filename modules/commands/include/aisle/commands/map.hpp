@@ -48,8 +48,8 @@ struct RecordingMap {
   double peak_rss_mb = 0;               ///< likewise its memory
 };
 
-/// Maps a recording, in an archive or not, and writes nothing: `out`, `force`, `map_mode` and `keeps_floor` are not used.
-/// Warnings are said as they come up.
+/// Maps a recording, in an archive or not, and writes nothing: `out`, `force`, `map_mode` and `keeps_floor`
+/// are not used. Warnings are said as they come up.
 Result<RecordingMap> map_recording(const MapOptions& options, Console& console);
 
 /// The building that a map is of: its walls, without a floor.
