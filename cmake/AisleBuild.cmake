@@ -51,8 +51,17 @@ if(AISLE_SANITIZE)
   target_link_options(aisle_build INTERFACE -fsanitize=${AISLE_SANITIZE})
   # Among a sanitizer's own instructions GCC 12 sees overflows and overlaps that are not there.
   target_compile_options(aisle_build INTERFACE -Wno-error)
+  # What is undefined traps, and the address sanitizer says where: the calls that would say what take a third of the
+  # compiler's time.
+  if(AISLE_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(aisle_build INTERFACE -fsanitize-trap=undefined)
+  endif()
 endif()
 
 # Tests are read by the compiler far longer than they run.
 add_library(aisle_test_build INTERFACE)
-target_compile_options(aisle_test_build INTERFACE $<$<CONFIG:Release>:-O1>)
+if(AISLE_SANITIZE)
+  target_compile_options(aisle_test_build INTERFACE -O0)
+else()
+  target_compile_options(aisle_test_build INTERFACE $<$<CONFIG:Release>:-O1>)
+endif()

@@ -1,7 +1,9 @@
+#include <gdk-pixbuf/gdk-pixbuf.h>
 #include <gmock/gmock.h>
+#include <webp/encode.h>
 #include <zlib.h>
 
-#include <opencv2/imgcodecs.hpp>
+#include <memory>
 
 #include "aisle/core/random.hpp"
 #include "aisle/formats/images/image_file.hpp"
@@ -117,16 +119,77 @@ TEST(ImageFile, StatedSizesAreRefusedBeforeMemoryIsTaken) {
               HasSubstr("has 30000 x 2 pixels"));
 }
 
-TEST(ImageFile, EveryKindThatIsReadStatesItsSize) {
-  const cv::Mat pixels(7, 9, CV_8UC3, cv::Scalar(10, 20, 30));
-  for (const char* kind : {".png", ".jpg", ".ppm", ".bmp", ".tiff", ".webp"}) {
-    std::vector<std::uint8_t> bytes;
-    ASSERT_TRUE(cv::imencode(kind, pixels, bytes)) << kind;
-    const auto image = parse_image({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "p");
-    ASSERT_TRUE(image.ok()) << kind << to_string(image.problems());
-    EXPECT_EQ(image->width_px, 9) << kind;
-    EXPECT_EQ(image->height_px, 7) << kind;
+constexpr int kWidth_px = 9, kHeight_px = 7;
+
+/// Pixels of 3 or 4 channels, each another value.
+Image counting(int channels) {
+  Image image(kWidth_px, kHeight_px, channels);
+  for (std::size_t i = 0; i < image.bytes.size(); ++i) image.bytes[i] = static_cast<std::uint8_t>(255 - i);
+  return image;
+}
+
+std::string saved_by_pixbuf(const Image& image, const char* type) {
+  const std::unique_ptr<GdkPixbuf, void (*)(gpointer)> pixbuf(
+      gdk_pixbuf_new_from_data(image.bytes.data(), GDK_COLORSPACE_RGB, image.channels == 4 ? TRUE : FALSE, 8,
+                               image.width_px, image.height_px, static_cast<int>(image.row_bytes()), nullptr,
+                               nullptr),
+      g_object_unref);
+  gchar* bytes = nullptr;
+  gsize size = 0;
+  EXPECT_TRUE(gdk_pixbuf_save_to_buffer(pixbuf.get(), &bytes, &size, type, nullptr, nullptr)) << type;
+  std::string file(bytes, size);
+  g_free(bytes);
+  return file;
+}
+
+std::string webp(const Image& image) {
+  const auto encode = image.channels == 4 ? WebPEncodeLosslessRGBA : WebPEncodeLosslessRGB;
+  std::uint8_t* bytes = nullptr;
+  const std::size_t size = encode(image.bytes.data(), image.width_px, image.height_px,
+                                  static_cast<int>(image.row_bytes()), &bytes);
+  std::string file(reinterpret_cast<const char*>(bytes), size);
+  WebPFree(bytes);
+  return file;
+}
+
+TEST(ImageFile, EveryKindIsReadToTheLastBit) {
+  const Image image = counting(3);
+  const std::string ppm = "P6 9 7 255\n" + std::string(image.bytes.begin(), image.bytes.end());
+  for (const std::string& file :
+       {png_bytes(image), ppm, saved_by_pixbuf(image, "png"), saved_by_pixbuf(image, "bmp"),
+        saved_by_pixbuf(image, "tiff"), webp(image)}) {
+    const auto read = parse_image(file, "p");
+    ASSERT_TRUE(read.ok()) << file.substr(0, 4) << to_string(read.problems());
+    EXPECT_EQ(*read, image) << file.substr(0, 4);
   }
+  const auto grey = parse_image("P5 2 1 255\n\x07\xff", "p");
+  ASSERT_TRUE(grey.ok());
+  EXPECT_EQ(grey->channels, 1);
+  EXPECT_THAT(grey->bytes, testing::ElementsAre(7, 255));
+}
+
+TEST(ImageFile, WhatShowsThroughIsReadFromEveryKindThatSaysIt) {
+  Image pixels = counting(4);
+  for (std::size_t i = 3; i < pixels.bytes.size(); i += 4) pixels.bytes[i] = i % 8 == 3 ? 255 : 100;
+  for (const std::string& file :
+       {saved_by_pixbuf(pixels, "png"), saved_by_pixbuf(pixels, "tiff"), webp(pixels)}) {
+    const auto read = parse_transparent_image(file, "p");
+    ASSERT_TRUE(read.ok()) << file.substr(0, 4) << to_string(read.problems());
+    ASSERT_EQ(read->transparent.size(), std::size_t{kWidth_px * kHeight_px}) << file.substr(0, 4);
+    for (std::size_t i = 0; i < read->transparent.size(); ++i)
+      EXPECT_EQ(read->transparent[i], i % 2) << file.substr(0, 4);
+    EXPECT_EQ(read->image.channels, 3);
+    EXPECT_EQ(read->image.bytes[2], pixels.bytes[2]);
+  }
+}
+
+TEST(ImageFile, AJpegOfACameraIsGreyOrColourAsItIs) {
+  const auto grey = parse_image(jpeg_bytes(noise(16, 16, 1), 100), "p.jpg");
+  ASSERT_TRUE(grey.ok());
+  EXPECT_EQ(grey->channels, 1);
+  const auto colour = parse_image(saved_by_pixbuf(counting(3), "jpeg"), "p.jpg");
+  ASSERT_TRUE(colour.ok());
+  EXPECT_EQ(colour->channels, 3);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Image files: PNG, JPEG, PPM, PGM, BMP and TIFF, as OpenCV reads them.
+/// Image files: PNG, JPEG, WebP, BMP, TIFF and Netpbm (PBM, PGM, PPM).
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@
 namespace aisle {
 
 /// Grey images get one channel, colour images three; 16 bits are reduced to 8, transparency is dropped, and
-/// the EXIF orientation tag is ignored. A file that is not an image, is truncated, or has more than 16384
+/// the EXIF orientation tag is ignored. A BMP, TIFF or PPM without any colour is grey. A file that is not an image, is truncated, or has more than 16384
 /// columns or rows or 33 million pixels is a problem.
 Result<Image> read_image(const std::filesystem::path& path);
 
