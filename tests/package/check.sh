@@ -25,8 +25,8 @@ dpkg-deb --field "$work"/packages/aisle_*.deb Depends | grep -q 'libembree3' || 
 dpkg-deb --field "$work"/packages/libaisle-dev_*.deb Depends | grep -q 'libeigen3-dev' ||
   { echo "libaisle-dev: dependencies are missing"; exit 1; }
 
+here=$(realpath "$(dirname "$0")")
 if command -v python3 >/dev/null; then
-  here=$(realpath "$(dirname "$0")")
   "$here/../../scripts/sbom" "$root/bin/aisle" "$work/aisle.spdx.json"
   "$here/check_sbom.py" "$work/aisle.spdx.json" "$(dpkg-deb --field "$work"/packages/aisle_*.deb Depends)"
 fi
@@ -50,6 +50,10 @@ fi
 if command -v systemd-analyze >/dev/null; then
   systemd-analyze security --offline=yes --threshold=25 "$root/lib/systemd/system/aisle.service" >"$work/security" ||
     { cat "$work/security"; exit 1; }
+fi
+# The figure that docs/how-to/install.md gives.
+if apt-cache show libembree3-3 >/dev/null 2>&1; then
+  "$here/../../scripts/installed-size" "$work"/packages/aisle_*.deb 250
 fi
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error "$work"/packages/*.deb
