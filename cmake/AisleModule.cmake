@@ -31,7 +31,7 @@ function(aisle_module name)
   set_property(GLOBAL PROPERTY AISLE_${name}_USES ${M_USES})
   set_property(GLOBAL PROPERTY AISLE_${name}_USES_PRIVATELY ${M_USES_PRIVATELY})
 
-  if(AISLE_TESTS)
+  if(AISLE_TESTS AND AISLE_UNIT_TESTS)
     file(GLOB_RECURSE tests CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/tests/test_*.cpp")
     if(tests)
       add_executable(test_${name} ${tests})

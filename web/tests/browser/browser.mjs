@@ -14,6 +14,9 @@ export const phone = {
   isMobile: true,
 };
 
+/** What takes longer hangs, on a slow machine with other work, too. */
+const hang_ms = 60000;
+
 export function open_browser() {
   return chromium.launch({
     executablePath: process.env.AISLE_BROWSER ?? "/usr/bin/chromium",
@@ -25,7 +28,7 @@ export function open_browser() {
 export async function open_page(browser, address, options = desktop) {
   const context = await browser.newContext(options);
   const page = await context.newPage();
-  page.setDefaultTimeout(15000);
+  page.setDefaultTimeout(hang_ms);
   page.errors = [];
   page.on("pageerror", (error) => page.errors.push(error.message));
   await page.goto(address);
@@ -41,7 +44,7 @@ export async function keep_screenshot(page, name, options = {}) {
 }
 
 /** Polls `condition` in the test's own process until it is true. @throws Error at the time-out */
-export async function until(condition, what, timeout_ms = 15000) {
+export async function until(condition, what, timeout_ms = hang_ms) {
   const end_ms = performance.now() + timeout_ms;
   while (!(await condition())) {
     if (performance.now() > end_ms) throw new Error(`timed out waiting for: ${what}`);
