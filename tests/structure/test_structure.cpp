@@ -50,6 +50,29 @@ TEST_F(Structure, ModulesIncludeOnlyWhatTheyDeclareToUse) {
   EXPECT_GT(includes, 100) << "too few includes were seen for this to be all of aisle";
 }
 
+/// The types that the headers of all modules, private ones too, define in the namespace aisle itself.
+std::map<std::string, std::vector<SourceLine>> types_of(const fs::path& modules_directory) {
+  static const std::regex definition(R"(^(?:struct|class) ([A-Z]\w*)(?: final)?(?: :.*)? \{.*)");
+  std::map<std::string, std::vector<SourceLine>> types;
+  bool is_in_aisle = false;
+  for (const SourceLine& line : source_lines(modules_directory)) {
+    if (line.file.extension() != ".hpp") continue;
+    if (line.text.starts_with("namespace ")) is_in_aisle = line.text.starts_with("namespace aisle {");
+    if (std::smatch match; is_in_aisle && std::regex_match(line.text, match, definition))
+      types[match[1]].push_back(line);
+  }
+  return types;
+}
+
+/// The linker would take one of them for the other without a word.
+TEST_F(Structure, NoTwoTypesHaveOneName) {
+  const auto types = types_of(fs::path(AISLE_SOURCE_DIR) / "modules");
+  EXPECT_GT(types.size(), 500) << "too few types were seen for this to be all of aisle";
+  for (const auto& [name, lines] : types) {
+    EXPECT_EQ(lines.size(), 1) << to_string(lines.front()) << "\n" << to_string(lines.back());
+  }
+}
+
 TEST_F(Structure, EveryModuleDirectoryIsPartOfTheBuild) {
   for (const auto& entry : fs::directory_iterator(fs::path(AISLE_SOURCE_DIR) / "modules")) {
     EXPECT_TRUE(modules.contains(entry.path().filename())) << entry.path();

@@ -151,7 +151,7 @@ void Exposure::add_block(const View& view, std::size_t block, std::span<const Ca
 
 void Exposure::add_panel(const View& view, std::size_t block, const SeenPanel& panel,
                          const Coverage& coverage) {
-  const Surface& surface = scene_.surface(panel.number);
+  const ShadedSurface& surface = scene_.surface(panel.number);
   const RayPacket rays = block_rays(lens_.blocks[block], view.from, coverage.u, coverage.v);
   Floats radiance;
   shade(surface, scene_.tables(), levels_, rays, coverage.any, radiance);
@@ -164,8 +164,8 @@ void Exposure::add_panel(const View& view, std::size_t block, const SeenPanel& p
 }
 
 /// Notes what the floor mirrors of other light, and takes that from its own.
-void Exposure::mirror(const Surface& surface, const View& view, std::size_t block, const RayPacket& rays,
-                      const Coverage& coverage, Floats& radiance) {
+void Exposure::mirror(const ShadedSurface& surface, const View& view, std::size_t block,
+                      const RayPacket& rays, const Coverage& coverage, Floats& radiance) {
   const float gloss = scene_.tables().materials[static_cast<std::size_t>(surface.material)].gloss;
   if (gloss == 0) return;
   Floats shares;
@@ -177,7 +177,7 @@ void Exposure::mirror(const Surface& surface, const View& view, std::size_t bloc
   }
 }
 
-void Exposure::add_stripe(const Surface& surface, const RayPacket& rays, const Flags& on_surface,
+void Exposure::add_stripe(const ShadedSurface& surface, const RayPacket& rays, const Flags& on_surface,
                           Floats& radiance) const {
   constexpr float kReach_m = 0.2f;  ///< above and below the light plane, for the widest profile
   if (surface.bottom > laser_.projector[2] + kReach_m || surface.top < laser_.projector[2]) return;

@@ -44,9 +44,9 @@ class Exposure {
   void look(const View& view, const Square& square, std::vector<Candidate>& candidates, std::size_t begin);
   void add_block(const View& view, std::size_t block, std::span<const Candidate> candidates);
   void add_panel(const View& view, std::size_t block, const SeenPanel& panel, const Coverage& coverage);
-  void add_stripe(const Surface& surface, const RayPacket& rays, const Flags& on_surface,
+  void add_stripe(const ShadedSurface& surface, const RayPacket& rays, const Flags& on_surface,
                   Floats& radiance) const;
-  void mirror(const Surface& surface, const View& view, std::size_t block, const RayPacket& rays,
+  void mirror(const ShadedSurface& surface, const View& view, std::size_t block, const RayPacket& rays,
               const Coverage& coverage, Floats& radiance);
 
   const RenderedWorld::Scene& scene_;

@@ -172,7 +172,7 @@ class Baker {
   std::uint64_t seed_;
 };
 
-std::vector<PanelSide> sides_of(std::span<const Panel> panels, std::span<Surface> surfaces) {
+std::vector<PanelSide> sides_of(std::span<const Panel> panels, std::span<ShadedSurface> surfaces) {
   std::vector<PanelSide> sides;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Vec3 outside = panels[i].outside();
@@ -197,7 +197,7 @@ std::size_t lay_out(std::span<const PanelSide> sides, double texel_m) {
 }
 
 /// From the pattern coordinates to the map's: both are linear along the panel's edges.
-void connect(const Panel& panel, const SceneFrame& frame, const Surface& surface, LightMap& map) {
+void connect(const Panel& panel, const SceneFrame& frame, const ShadedSurface& surface, LightMap& map) {
   const Eigen::Vector3f corner = frame(panel.corner).cast<float>();
   const Eigen::Vector3f along = panel.along.cast<float>(), up = panel.up.cast<float>();
   const auto connect_one = [&](const std::array<float, 4>& pattern, const Eigen::Vector3f& edge, int count,
@@ -266,7 +266,7 @@ std::uint32_t light_texel(float from_everywhere, float from_lamps) {
 }
 
 LightTexels bake_light(const World& world, std::span<const Panel> panels, const RayScene& scene,
-                       const SceneFrame& frame, std::span<Surface> surfaces) {
+                       const SceneFrame& frame, std::span<ShadedSurface> surfaces) {
   const std::vector<PanelSide> sides = sides_of(panels, surfaces);
   double texel_m = kTexel_m;
   std::size_t count = lay_out(sides, texel_m);

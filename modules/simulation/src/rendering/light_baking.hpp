@@ -20,7 +20,7 @@ struct LightTexels {
 /// lamps is 1 where the floor is well lit.
 /// @param surfaces  one for each panel
 LightTexels bake_light(const World& world, std::span<const Panel> panels, const RayScene& scene,
-                       const SceneFrame& frame, std::span<Surface> surfaces);
+                       const SceneFrame& frame, std::span<ShadedSurface> surfaces);
 
 std::uint32_t light_texel(float from_everywhere, float from_lamps);
 

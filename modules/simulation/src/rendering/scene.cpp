@@ -17,10 +17,10 @@ Panels standing_panels(const World& world, Materials& materials) {
   return panels;
 }
 
-std::vector<Surface> surfaces_of(const Panels& panels, const SceneFrame& frame) {
-  std::vector<Surface> surfaces;
+std::vector<ShadedSurface> surfaces_of(const Panels& panels, const SceneFrame& frame) {
+  std::vector<ShadedSurface> surfaces;
   surfaces.reserve(panels.size());
-  for (const Panel& panel : panels) surfaces.push_back(surface_of(panel, frame));
+  for (const Panel& panel : panels) surfaces.push_back(shaded_surface_of(panel, frame));
   return surfaces;
 }
 
@@ -70,7 +70,8 @@ void RenderedWorld::Scene::place(std::span<const MovingBody> bodies) {
 }
 
 /// One light for the whole piece: as on the floor below it, less on its sides.
-void RenderedWorld::Scene::light_body_surface(const Vec2& p_world, const Panel& panel, Surface& surface) {
+void RenderedWorld::Scene::light_body_surface(const Vec2& p_world, const Panel& panel,
+                                              ShadedSurface& surface) {
   constexpr float kOnSides = 0.65f, kFromLeft = 0.15f;
   const LightMap& floor = standing_surfaces_.front().outside;
   const std::array<float, 4>&u = standing_surfaces_.front().u, &v = standing_surfaces_.front().v;
@@ -120,7 +121,7 @@ void RenderedWorld::Scene::find_blocked(const SegmentPacket& segments, Flags& bl
   moving_.find_blocked(segments, blocked);
 }
 
-const Surface& RenderedWorld::Scene::surface(std::uint32_t panel_number) const {
+const ShadedSurface& RenderedWorld::Scene::surface(std::uint32_t panel_number) const {
   return (panel_number & kMoves) != 0 ? moving_surfaces_[panel_number & ~kMoves]
                                       : standing_surfaces_[panel_number];
 }

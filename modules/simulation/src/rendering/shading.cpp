@@ -40,7 +40,7 @@ AISLE_INLINE float footprint(float by_column, float by_row) {
   return bounded(std::sqrt(by_column * by_column + by_row * by_row), kLeast, kMost);
 }
 
-AISLE_INLINE void find_places(const Surface& surface, const RayPacket& rays, const Flags& on,
+AISLE_INLINE void find_places(const ShadedSurface& surface, const RayPacket& rays, const Flags& on,
                               PatternPlaces& places) {
   const std::array<float, 3> normal = surface.normal, u = gradient(surface.u), v = gradient(surface.v);
   const float height = surface.plane - dot(normal, rays.origin);
@@ -215,7 +215,7 @@ AISLE_INLINE void light_up(const LightMap& map, const std::uint32_t* texels, con
 }  // namespace
 
 AISLE_KERNEL
-void shade(const Surface& surface, const ShadingTables& tables, const LightLevels& levels,
+void shade(const ShadedSurface& surface, const ShadingTables& tables, const LightLevels& levels,
            const RayPacket& rays, const Flags& on_surface, Floats& radiance) {
   const Material& material = tables.materials[static_cast<std::size_t>(surface.material)];
   PatternPlaces places;
@@ -249,7 +249,7 @@ void find_mirrored(float gloss, const RayPacket& rays, Floats& mirrored) {
 }
 
 AISLE_KERNEL
-bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
+bool shade_stripe(const ShadedSurface& surface, const LaserPlane& laser, const RayPacket& rays,
                   const Flags& on_surface, Floats& stripe, SegmentPacket& segments) {
   constexpr float kBeam_m = 0.0018f;          ///< standard deviation of the light plane's profile
   constexpr float kPixel = 0.5f;              ///< standard deviation of what a pixel sees [px]

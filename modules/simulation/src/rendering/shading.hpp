@@ -29,7 +29,7 @@ struct ShadingTables {
 };
 
 /// The light that comes back along those rays that hit the surface; the other lanes' values mean nothing.
-void shade(const Surface& surface, const ShadingTables& tables, const LightLevels& levels,
+void shade(const ShadedSurface& surface, const ShadingTables& tables, const LightLevels& levels,
            const RayPacket& rays, const Flags& on_surface, Floats& radiance);
 
 /// The share of the light that a polished floor mirrors (Schlick 1994), lane by lane.
@@ -38,7 +38,7 @@ void find_mirrored(float gloss, const RayPacket& rays, Floats& mirrored);
 /// The laser stripe if nothing blocks the light plane: the light of the lanes on the surface, and the segment
 /// to the projector in `segments`, asked for where there is light.
 /// @return whether there is any light; if not, stripe and segments are undefined
-bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
+bool shade_stripe(const ShadedSurface& surface, const LaserPlane& laser, const RayPacket& rays,
                   const Flags& on_surface, Floats& stripe, SegmentPacket& segments);
 
 }  // namespace aisle

@@ -33,8 +33,8 @@ Corners Panel::corners() const {
   return cut_out.value_or(Corners{corner, corner + along, corner + along + up, corner + up});
 }
 
-Surface surface_of(const Panel& panel, const SceneFrame& frame) {
-  Surface surface;
+ShadedSurface shaded_surface_of(const Panel& panel, const SceneFrame& frame) {
+  ShadedSurface surface;
   const Vec3 normal = panel.outside();
   for (int i = 0; i < 3; ++i) surface.normal[static_cast<std::size_t>(i)] = static_cast<float>(normal[i]);
   surface.plane = static_cast<float>(normal.dot(frame(panel.corner)));

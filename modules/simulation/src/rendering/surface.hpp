@@ -70,7 +70,7 @@ struct LightMap {
 };
 
 /// A panel as the shading kernels want it: single precision, in the scene's frame.
-struct Surface {
+struct ShadedSurface {
   std::array<float, 3> normal{};
   float plane = 0;                ///< normal . p = plane
   std::array<float, 4> u{}, v{};  ///< pattern coordinates of p: u[0..2] . p + u[3]
@@ -89,6 +89,6 @@ struct SceneFrame {
   }
 };
 
-Surface surface_of(const Panel& panel, const SceneFrame& frame);
+ShadedSurface shaded_surface_of(const Panel& panel, const SceneFrame& frame);
 
 }  // namespace aisle
