@@ -134,6 +134,7 @@ void add_verbs(CLI::App& app, Work& work) {
   add_explore_verb(app, work);
   add_connect_verb(app, work);
   add_guide_verbs(app, work);
+  add_fleet_verb(app, work);
   add_learning_verbs(app, work);
   add_live_verb(app, work);
   add_park_verb(app, work);

@@ -24,6 +24,7 @@ void add_calibrate_verb(CLI::App& app, Work& work);
 void add_doctor_verb(CLI::App& app, Work& work);
 void add_drive_verb(CLI::App& app, Work& work);
 void add_explore_verb(CLI::App& app, Work& work);
+void add_fleet_verb(CLI::App& app, Work& work);
 void add_guide_verbs(CLI::App& app, Work& work);
 void add_import_verb(CLI::App& app, Work& work);
 void add_learning_verbs(CLI::App& app, Work& work);
