@@ -13,7 +13,7 @@
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/missions/exploration/fleet_driver.hpp"
-#include "aisle/missions/exploration/guide_mission.hpp"
+#include "aisle/missions/exploration/fleet_mission.hpp"
 #include "fleet/paced_vehicle.hpp"
 
 namespace aisle {
@@ -93,8 +93,8 @@ class FleetProgress final : public Progress {
   std::size_t orders_;
 };
 
-Outcome fleet_outcome(const FleetOptions& options, const FleetDriver& driver,
-                      const GuideMissionResult& result, std::size_t connections) {
+Outcome fleet_outcome(const FleetOptions& options, const FleetDriver& driver, const MissionResult& result,
+                      std::size_t connections) {
   const OrderTracker& tracker = driver.tracker();
   const bool is_enough = options.orders == 0 || tracker.orders_done() >= options.orders;
   Outcome outcome{.verb = "fleet", .ok = is_enough && result.is_unharmed()};

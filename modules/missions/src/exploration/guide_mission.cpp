@@ -19,7 +19,7 @@ ViewMatch wall_match(const WallLocaliser& localiser) {
   return {seen_m > 0 ? fitting_m / seen_m : 0, fmt::format("{:.1f} of {:.1f} m of wall", fitting_m, seen_m)};
 }
 
-/// @tparam Driver  GuideDriver, GoalFollower or FleetDriver
+/// @tparam Driver  GuideDriver or GoalFollower
 template <class Driver>
 class GuideMissionRecorder final : public MissionRecorder {
  public:
@@ -46,7 +46,7 @@ class GuideMissionRecorder final : public MissionRecorder {
   GuideMissionResult& result_;
 };
 
-/// @param driver  GuideDriver, GoalFollower or FleetDriver
+/// @param driver  GuideDriver or GoalFollower
 Result<GuideMissionResult> driven(Vehicle& vehicle, const TruthSource* truth, auto& driver,
                                   std::optional<SessionRecord>& session, Progress& progress) {
   GuideMissionResult result;
@@ -67,13 +67,6 @@ Result<GuideMissionResult> drive_guide_mission(Vehicle& vehicle, const TruthSour
 Result<GuideMissionResult> follow_goals(Vehicle& vehicle, GoalFollower& follower,
                                         std::optional<SessionRecord>& session, Progress& progress) {
   return driven(vehicle, nullptr, follower, session, progress);
-}
-
-Result<GuideMissionResult> drive_in_fleet(Vehicle& vehicle, const TruthSource* truth, FleetDriver& driver,
-                                          std::optional<SessionRecord>& session, Progress& progress) {
-  auto result = driven(vehicle, truth, driver, session, progress);
-  driver.leave();
-  return result;
 }
 
 double graph_coverage(const CorridorGraph& graph, const std::vector<Pose2>& T_map_vehicle,

@@ -6,7 +6,6 @@
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
 #include "aisle/formats/sessions/session_record.hpp"
-#include "aisle/missions/exploration/fleet_driver.hpp"
 #include "aisle/missions/exploration/goal_follower.hpp"
 #include "aisle/missions/exploration/guide_driver.hpp"
 #include "aisle/missions/mission_result.hpp"
@@ -28,11 +27,6 @@ Result<GuideMissionResult> drive_guide_mission(Vehicle& vehicle, const TruthSour
 /// Lets a vehicle follow goals until it ends the mission; nobody knows the truth.
 Result<GuideMissionResult> follow_goals(Vehicle& vehicle, GoalFollower& follower,
                                         std::optional<SessionRecord>& session, Progress& progress);
-
-/// Lets a vehicle drive what its fleet's master control orders, until its user or the vehicle ends it.
-/// @param truth  of the vehicle; null: unknown
-Result<GuideMissionResult> drive_in_fleet(Vehicle& vehicle, const TruthSource* truth, FleetDriver& driver,
-                                          std::optional<SessionRecord>& session, Progress& progress);
 
 /// Share of the length of all corridors to which the vehicle's centre line came within half a metre.
 double graph_coverage(const CorridorGraph& graph, const std::vector<Pose2>& T_map_vehicle,
