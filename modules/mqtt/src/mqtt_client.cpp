@@ -3,6 +3,7 @@
 #include <MQTTAsync.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -160,11 +161,25 @@ class PahoClient final : public MqttClient {
   /// On Paho's thread, after each connection: what was subscribed to is forgotten by the broker.
   static void on_connected(void* self, char*) {
     PahoClient& client = as_client(self);
-    for (const std::string& topic : client.settings_.topics)
-      MQTTAsync_subscribe(client.handle_, topic.c_str(), 1, nullptr);
-    ++client.connections_;
-    client.is_ready_ = true;
-    client.say(kConnected, {});
+    if (client.settings_.topics.empty()) return client.begin();
+    std::vector<char*> topics;
+    for (std::string& topic : client.settings_.topics) topics.push_back(topic.data());
+    const std::vector<int> qualities(topics.size(), 1);
+    MQTTAsync_responseOptions response = MQTTAsync_responseOptions_initializer;
+    response.context = self;
+    response.onSuccess = [](void* of, MQTTAsync_successData*) { as_client(of).begin(); };
+    response.onFailure = [](void* of, MQTTAsync_failureData* failure) {
+      as_client(of).say(kRefused, "the broker refuses the subscription: " + why_failed(failure));
+    };
+    MQTTAsync_subscribeMany(client.handle_, static_cast<int>(topics.size()), topics.data(), qualities.data(),
+                            &response);
+  }
+
+  /// Only who can be told something may be said to be there.
+  void begin() {
+    ++connections_;
+    is_ready_ = true;
+    say(kConnected, {});
   }
 
   static void on_lost(void* self, char*) { as_client(self).is_ready_ = false; }

@@ -26,10 +26,10 @@ struct ActionState {
 std::string_view name_of(ActionState::Status status);
 
 struct FleetError {
-  std::string type;       ///< "validationError", "orderUpdateError" ...
+  std::string type = {};  ///< "validationError", "orderUpdateError" ...
   bool is_fatal = false;  ///< a person must help; else the vehicle goes on or waits for another order
-  std::string description;
-  std::vector<std::pair<std::string, std::string>> references;  ///< key and value of what it is about
+  std::string description = {};
+  std::vector<std::pair<std::string, std::string>> references = {};  ///< key and value of what it is about
 
   friend bool operator==(const FleetError&, const FleetError&) = default;
 };
@@ -53,13 +53,13 @@ struct OrderState {
 
 /// The rest of it.
 struct VehicleState {
-  std::optional<Pose2> T_map_vehicle;  ///< absent: it does not know where it is
-  double localisation_score = 0;       ///< 0 .. 1: share of the walls in sight that fit the map
+  std::optional<Pose2> T_map_vehicle = {};  ///< absent: it does not know where it is
+  double localisation_score = 0;            ///< 0 .. 1: share of the walls in sight that fit the map
   double speed_mps = 0;
   double turn_rate_rad_s = 0;
   bool is_driving = false;
   bool is_touching = false;  ///< its bumper is pressed
-  std::string map_id;
+  std::string map_id = {};
 };
 
 /// Who sends a message, and which of its topic it is.

@@ -15,14 +15,14 @@ struct MqttMessage {
 };
 
 struct MqttSettings {
-  std::string url;  ///< mqtt://HOST[:1883], or mqtts://HOST[:8883] by TLS
-  std::string client_id;
-  std::string user, password;  ///< empty: no login
-  std::string ca_file;         ///< PEM of who vouches for the broker; empty: those that the machine trusts
-  MqttMessage last_will;       ///< said for this client, retained, when its connection breaks
-  std::vector<std::string> topics;  ///< subscribed to on every connection
-  double connect_s = 5;             ///< how long the first connection may take
-  double keep_alive_s = 5;          ///< so soon the broker notices that this client is gone
+  std::string url = {};  ///< mqtt://HOST[:1883], or mqtts://HOST[:8883] by TLS
+  std::string client_id = {};
+  std::string user = {}, password = {};  ///< empty: no login
+  std::string ca_file = {};    ///< PEM of who vouches for the broker; empty: those that the machine trusts
+  MqttMessage last_will = {};  ///< said for this client, retained, when its connection breaks
+  std::vector<std::string> topics = {};  ///< subscribed to on every connection
+  double connect_s = 5;                  ///< how long the first connection may take
+  double keep_alive_s = 5;               ///< so soon the broker notices that this client is gone
 };
 
 /// A client of an MQTT 3.1.1 broker, by Eclipse Paho. Its threads collect what comes in a queue; whoever owns
