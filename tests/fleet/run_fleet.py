@@ -34,6 +34,8 @@ except ImportError:
 
 RELEASED_EDGES = 2
 RESEND_S = 3.0
+APART_M = 2.5  # nodes nearer to each other are not given to two vehicles
+OFF_BASE_M = 2.0  # base_link may lie behind a node that the front has reached
 USER, PASSWORD = "robots", "only for this test"
 
 
@@ -157,6 +159,11 @@ class Robot:
     def is_busy(self):
         return bool(self.order_id)
 
+    def has_horizon(self):
+        """It drives an order of which not all is released."""
+        return (self.is_busy() and self.state and self.state["orderId"] == self.order_id and
+                self.released < len(self.route) - 1)
+
     def reserved(self):
         """What it may still be on: from the node that it reported last to the end of its route."""
         if not self.is_busy():
@@ -166,8 +173,8 @@ class Robot:
 
 
 class Master:
-    def __init__(self, graph, broker, robots, orders, seed, apart_m):
-        self.graph, self.orders, self.random, self.apart_m = graph, orders, random.Random(seed), apart_m
+    def __init__(self, graph, broker, robots, orders, seed):
+        self.graph, self.orders, self.random = graph, orders, random.Random(seed)
         self.robots = {robot.serial: robot for robot in robots}
         self.given, self.lock = 0, threading.Lock()
         self.problems, self.off_base_m, self.least_apart_m, self.header = [], 0.0, math.inf, 0
@@ -217,6 +224,8 @@ class Master:
         off_m = min(off_segment(robot.position, self.graph.at[a], self.graph.at[b])
                     for a, b in zip(line, line[1:] or line))
         self.off_base_m = max(self.off_base_m, off_m)
+        if off_m > OFF_BASE_M:
+            self.problems.append(f"{robot.serial} is {off_m:.1f} m off its base")
         for other in self.robots.values():
             if other is not robot and other.position:
                 self.least_apart_m = min(self.least_apart_m, math.dist(robot.position, other.position))
@@ -249,7 +258,7 @@ class Master:
             if robot is by_others_than:
                 continue
             for one in robot.reserved():
-                taken |= {one} if isinstance(one, frozenset) else self.graph.near(one, self.apart_m)
+                taken |= {one} if isinstance(one, frozenset) else self.graph.near(one, APART_M)
         return taken
 
     def give_order(self, robot):
@@ -298,7 +307,8 @@ class Master:
                     continue
                 if robot.is_busy():
                     self.follow(robot)
-                elif self.given < self.orders and not robot.state["driving"]:
+                elif (self.given < self.orders and not robot.state["driving"] and
+                      robot.state["agvPosition"]["positionInitialized"]):
                     self.give_order(robot)
 
     def is_done(self):
@@ -375,13 +385,12 @@ def run(options, directory):
     broker = Broker(directory, options.tls)
     broker.start()
     generator = random.Random(options.seed)
-    apart_m = 2.5
     robots, processes = [], []
     try:
-        for i, node in enumerate(spread_nodes(graph, options.vehicles, apart_m, generator)):
+        for i, node in enumerate(spread_nodes(graph, options.vehicles, APART_M, generator)):
             serial = f"{i + 1:04}"
             x, y = graph.at[node]
-            other = graph.at[graph.next[node][0]]
+            other = graph.at[max(graph.next[node], key=lambda name: graph.distance(node, name))]
             heading = math.atan2(other[1] - y, other[0] - x)
             start = ",".join(f"{v:.3f}" for v in to_world(options.world, building, x, y, heading))
             processes.append(subprocess.Popen(
@@ -400,7 +409,7 @@ def run(options, directory):
 
 
 def conduct(options, graph, broker, robots, processes):
-    master = Master(graph, broker, robots, options.orders, options.seed, 2.5)
+    master = Master(graph, broker, robots, options.orders, options.seed)
     begun_s, killed_s, restarts, seen_dead = time.monotonic(), None, 0, 0
     bases = {}
     while not master.is_done() and time.monotonic() - begun_s < options.longest:
@@ -409,7 +418,8 @@ def conduct(options, graph, broker, robots, processes):
             master.problems.append("a vehicle has ended")
             break
         done = master.count("done")
-        is_halfway = done >= options.orders // 2 and (len(robots) > 1 or any(r.is_busy() for r in robots))
+        with master.lock:
+            is_halfway = done >= options.orders // 2 and any(robot.has_horizon() for robot in robots)
         if options.dead and restarts == 0 and killed_s is None and is_halfway:
             with master.lock:
                 bases = {r.serial: (r.order_id, 2 * r.released) for r in robots if r.is_busy()}

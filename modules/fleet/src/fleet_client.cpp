@@ -50,7 +50,8 @@ void FleetClient::exchange(double stamp_s, const VehicleState& vehicle) {
   if (tracker_.take_factsheet_request())
     link_.send({"factsheet", factsheet_json(next_header(kFactsheet), vehicle_)}, false);
   const bool is_changed = order_sent_ != tracker_.state() || driving_sent_ != vehicle.is_driving ||
-                          touching_sent_ != vehicle.is_touching;
+                          touching_sent_ != vehicle.is_touching ||
+                          located_sent_ != vehicle.T_map_vehicle.has_value();
   if (is_new || is_asked || is_changed || stamp_s - state_sent_s_ >= kStateAtLeastEvery_s)
     send_state(stamp_s, vehicle);
   if (stamp_s - visualized_s_ < kVisualizationEvery_s) return;
@@ -81,6 +82,7 @@ void FleetClient::send_state(double stamp_s, const VehicleState& vehicle) {
   order_sent_ = tracker_.state();
   driving_sent_ = vehicle.is_driving;
   touching_sent_ = vehicle.is_touching;
+  located_sent_ = vehicle.T_map_vehicle.has_value();
   state_sent_s_ = stamp_s;
   link_.send({"state", state_json(next_header(kState), *order_sent_, vehicle)}, false);
 }

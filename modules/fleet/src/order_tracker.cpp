@@ -61,7 +61,7 @@ double OrderTracker::reach_m(const OrderNode& node) const {
 }
 
 bool OrderTracker::is_active() const {
-  return !state_.nodes.empty() || !running_.empty();
+  return !state_.nodes.empty() || !running_.empty() || !cancelling_.empty();
 }
 
 void OrderTracker::take(const Order& order, const std::optional<Pose2>& T_map_vehicle) {

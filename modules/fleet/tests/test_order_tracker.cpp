@@ -213,6 +213,18 @@ TEST_F(OrderTracking, ACancelledOrderIsGoneOnceTheVehicleStands) {
   EXPECT_EQ(target(), 0U);
 }
 
+TEST_F(OrderTracking, AnOrderThatIsCancelledDuringItsLastActionIsNotDone) {
+  Order order = order_along(0, 1, 1);
+  order.nodes[1].actions = {wait_action("a", 2)};
+  tracker.take(order, kAtStart);
+  tracker.arrive();
+  tracker.take({instant("cancelOrder", "c")});
+  pass(0.1, false);
+  pass(0.1);
+  EXPECT_EQ(status("c"), Status::kFinished);
+  EXPECT_EQ(tracker.orders_done(), 0U);
+}
+
 TEST_F(OrderTracking, WithoutAnOrderThereIsNothingToCancel) {
   tracker.take({instant("cancelOrder", "c")});
   EXPECT_EQ(status("c"), Status::kFailed);

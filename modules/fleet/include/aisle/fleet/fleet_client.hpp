@@ -55,7 +55,7 @@ class FleetClient {
   std::array<std::uint32_t, 4> sent_ = {};
   std::size_t greeted_ = 0;  ///< connections
   std::optional<OrderState> order_sent_;
-  bool driving_sent_ = false, touching_sent_ = false;
+  bool driving_sent_ = false, touching_sent_ = false, located_sent_ = false;
   double state_sent_s_ = 0, visualized_s_ = 0;
 };
 
