@@ -445,6 +445,8 @@ def conduct(options, graph, broker, robots, processes):
     took_s = time.monotonic() - begun_s
     if options.dead and not restarts:
         master.problems.append("the broker was never killed")
+    unfinished = [f"{r.serial} at {r.node}, {r.position}, for {r.route[r.first:]}: {what_it_says(r)}"
+                  for r in robots if r.is_busy()]
     for process in processes:
         process.send_signal(signal.SIGINT)
     figures = {"vehicles": len(robots), "orders_given": master.given, "orders_done": master.count("done"),
@@ -452,7 +454,7 @@ def conduct(options, graph, broker, robots, processes):
                "at_the_end_of_their_base_when_it_came_back": seen_dead, "orders_sent_again": master.resent,
                "off_base_max_m": round(master.off_base_m, 2),
                "least_apart_m": None if math.isinf(master.least_apart_m) else round(master.least_apart_m, 2),
-               "seconds": round(took_s, 1), "problems": master.problems[:20]}
+               "seconds": round(took_s, 1), "unfinished": unfinished, "problems": master.problems[:20]}
     for process in processes:
         try:
             process.wait(20)
@@ -462,6 +464,14 @@ def conduct(options, graph, broker, robots, processes):
     print(json.dumps(figures, indent=1))
     is_complete = figures["orders_done"] + figures["orders_reported"] == options.orders
     return 0 if is_complete and not figures["problems"] else 1
+
+
+def what_it_says(robot):
+    state = robot.state
+    if not state:
+        return "nothing"
+    return (f"update {state['orderUpdateId']} of {robot.update}, driving {state['driving']}, "
+            f"{len(state['nodeStates'])} nodes left, {[e['errorDescription'] for e in state['errors']]}")
 
 
 def wait_for_states(master, robots, seconds):
