@@ -72,11 +72,11 @@ class FleetObject {
 
   /// The elements of a list; a list that is absent though required, too long or none is a problem, and empty.
   const json& list(const char* key, std::size_t most, bool is_required = true) const {
-    static const json kNone = json::array();
+    static const json none = json::array();
     const json* const found = find(key, is_required);
-    if (found == nullptr) return kNone;
-    if (!found->is_array()) return refuse(key, "is no list"), kNone;
-    if (found->size() > most) return refuse(key, fmt::format("has more than {} entries", most)), kNone;
+    if (found == nullptr) return none;
+    if (!found->is_array()) return refuse(key, "is no list"), none;
+    if (found->size() > most) return refuse(key, fmt::format("has more than {} entries", most)), none;
     return *found;
   }
 

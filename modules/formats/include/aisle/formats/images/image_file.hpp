@@ -13,8 +13,8 @@
 namespace aisle {
 
 /// Grey images get one channel, colour images three; 16 bits are reduced to 8, transparency is dropped, and
-/// the EXIF orientation tag is ignored. A BMP, TIFF or PPM without any colour is grey. A file that is not an image, is truncated, or has more than 16384
-/// columns or rows or 33 million pixels is a problem.
+/// the EXIF orientation tag is ignored. A BMP, TIFF or PPM without any colour is grey. A file that is not an
+/// image, is truncated, or has more than 16384 columns or rows or 33 million pixels is a problem.
 Result<Image> read_image(const std::filesystem::path& path);
 
 /// The same from memory; `name` is the file name in problems.
