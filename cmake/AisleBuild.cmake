@@ -60,8 +60,4 @@ endif()
 
 # Tests are read by the compiler far longer than they run.
 add_library(aisle_test_build INTERFACE)
-if(AISLE_SANITIZE)
-  target_compile_options(aisle_test_build INTERFACE -O0)
-else()
-  target_compile_options(aisle_test_build INTERFACE $<$<CONFIG:Release>:-O1>)
-endif()
+target_compile_options(aisle_test_build INTERFACE $<$<NOT:$<CONFIG:Debug>>:-O1>)
