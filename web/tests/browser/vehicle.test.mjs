@@ -181,7 +181,7 @@ test("A session is listed and replayed, and its building is edited", async () =>
 });
 
 test("The exploration of an unknown building is shown to its end", { timeout: 150000 }, async () => {
-  const fast = await start_live("l-corridor", join(directory, "fast"), "--rate", "2");
+  const fast = await start_live("l-corridor", join(directory, "fast"), "--rate", "4");
   const everything = new Watcher(fast.address);
   const other = await open_page(browser, fast.address);
   await other.getByRole("combobox", { name: "Mission" }).selectOption("explore");
