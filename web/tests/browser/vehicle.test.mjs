@@ -180,15 +180,15 @@ test("A session is listed and replayed, and its building is edited", async () =>
   await keep_screenshot(page, "building-dark");
 });
 
-test("The exploration of an unknown building is shown to its end", { timeout: 150000 }, async () => {
-  const fast = await start_live("l-corridor", join(directory, "fast"), "--rate", "4");
+test("The exploration of an unknown building is shown to its end", { timeout: 400000 }, async () => {
+  const fast = await start_live("l-corridor", join(directory, "fast"), "--rate", "2");
   const everything = new Watcher(fast.address);
   const other = await open_page(browser, fast.address);
   await other.getByRole("combobox", { name: "Mission" }).selectOption("explore");
   await other.getByRole("button", { name: "Explore" }).click();
   await other.getByText("l-corridor: explore").waitFor();
   await until(() => everything.latest("/transducer") && everything.latest("/floor"), "the explorer's map");
-  await other.getByText("Last: explore done").waitFor({ timeout: 120000 });
+  await other.getByText("Last: explore done").waitFor({ timeout: 300000 });
   await keep_screenshot(other, "explored-dark");
   await other.context().close();
   everything.close();
