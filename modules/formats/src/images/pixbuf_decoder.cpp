@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "images/alpha_channel.hpp"
 #include "images/image_codecs.hpp"
@@ -14,10 +15,19 @@ struct Unref {
 };
 using Loader = std::unique_ptr<GdkPixbufLoader, Unref>;
 
+void see_rows(GdkPixbufLoader* /*loader*/, int /*x*/, int y, int /*width*/, int height, gpointer rows) {
+  for (int v = y; v < y + height; ++v) static_cast<std::set<int>*>(rows)->insert(v);
+}
+
+/// A BMP or PPM that is cut off is loaded without a word: only the rows that were seen tell.
 bool is_loaded(GdkPixbufLoader* loader, std::string_view bytes) {
+  std::set<int> rows;
+  g_signal_connect(loader, "area-updated", G_CALLBACK(see_rows), &rows);
   const bool is_written = gdk_pixbuf_loader_write(loader, reinterpret_cast<const guchar*>(bytes.data()),
                                                   bytes.size(), nullptr) != FALSE;
-  return gdk_pixbuf_loader_close(loader, nullptr) != FALSE && is_written;
+  if (gdk_pixbuf_loader_close(loader, nullptr) == FALSE || !is_written) return false;
+  const GdkPixbuf* pixbuf = gdk_pixbuf_loader_get_pixbuf(loader);
+  return pixbuf != nullptr && rows.size() == static_cast<std::size_t>(gdk_pixbuf_get_height(pixbuf));
 }
 
 Image rows_of(const GdkPixbuf* pixbuf) {
@@ -49,7 +59,6 @@ std::optional<TransparentImage> decode_by_pixbuf(std::string_view bytes) {
   const Loader loader(gdk_pixbuf_loader_new());
   if (!is_loaded(loader.get(), bytes)) return std::nullopt;
   const GdkPixbuf* pixbuf = gdk_pixbuf_loader_get_pixbuf(loader.get());
-  if (pixbuf == nullptr) return std::nullopt;
   TransparentImage decoded{rows_of(pixbuf), {}};
   if (decoded.image.channels == 4)
     decoded = apart_from_alpha(decoded.image.bytes, decoded.image.width_px, decoded.image.height_px, 4);

@@ -168,6 +168,16 @@ TEST(ImageFile, EveryKindIsReadToTheLastBit) {
   EXPECT_THAT(grey->bytes, testing::ElementsAre(7, 255));
 }
 
+TEST(ImageFile, ACutOffFileOfAnyKindIsRefused) {
+  const Image image = counting(3);
+  const std::string ppm = "P6 9 7 255\n" + std::string(image.bytes.begin(), image.bytes.end());
+  for (const std::string& file :
+       {ppm, saved_by_pixbuf(image, "bmp"), saved_by_pixbuf(image, "tiff"), webp(image)}) {
+    for (const std::size_t left : {file.size() / 4, file.size() / 2, file.size() - 30})
+      EXPECT_FALSE(parse_image(file.substr(0, left), "p").ok()) << file.substr(0, 4) << " " << left;
+  }
+}
+
 TEST(ImageFile, WhatShowsThroughIsReadFromEveryKindThatSaysIt) {
   Image pixels = counting(4);
   for (std::size_t i = 3; i < pixels.bytes.size(); i += 4) pixels.bytes[i] = i % 8 == 3 ? 255 : 100;
