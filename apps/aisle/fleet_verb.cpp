@@ -11,12 +11,6 @@ using namespace aisle;
 
 namespace {
 
-MissionStart parse_fleet_start(const std::string& text) {
-  if (text == "home") return {};
-  if (text == "unknown") return {.is_unknown = true, .T_map_hint = {}};
-  return {.is_unknown = false, .T_map_hint = parse_place("--at", text)};
-}
-
 void add_broker_options(CLI::App& verb, FleetOptions& options) {
   verb.add_option("--broker", options.broker,
                   "MQTT broker: mqtt://HOST[:PORT], or mqtts://HOST[:PORT] by TLS");
@@ -40,7 +34,7 @@ void add_fleet_vehicle_options(CLI::App& verb, FleetOptions& options) {
       [&options](const std::string& text) { options.T_world_start = parse_place("--start", text); },
       "put the simulated vehicle down at x,y,heading_deg of the world (default: at home)");
   verb.add_option_function<std::string>(
-      "--at", [&options](const std::string& text) { options.told = parse_fleet_start(text); },
+      "--at", [&options](const std::string& text) { options.told = parse_told_start(text); },
       "where it begins: home, unknown (it finds itself, standing), or x,y,heading_deg in the map, which is "
       "checked (default: home; unknown with --start)");
   verb.add_option("--vehicle", options.vehicle,

@@ -11,12 +11,6 @@ using namespace aisle;
 
 namespace {
 
-MissionStart parse_told_start(const std::string& text) {
-  if (text == "home") return {};
-  if (text == "unknown") return {.is_unknown = true, .T_map_hint = {}};
-  return {.is_unknown = false, .T_map_hint = parse_place("--at", text)};
-}
-
 void add_mission_options(CLI::App& verb, GuideOptions& options) {
   verb.add_option("--world", options.world,
                   "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");

@@ -8,6 +8,7 @@
 using aisle::ExploringSensor;
 using aisle::kDegree;
 using aisle::LengthUnit;
+using aisle::MissionStart;
 using aisle::Pose2;
 using aisle::SessionStorage;
 using aisle::wrap_angle;
@@ -88,4 +89,10 @@ Pose2 parse_place(const std::string& option, const std::string& text) {
     at = next + 1;
   }
   throw CLI::ValidationError(option, fmt::format("'{}' is not x,y,degrees (metres)", text));
+}
+
+MissionStart parse_told_start(const std::string& text) {
+  if (text == "home") return {};
+  if (text == "unknown") return {.is_unknown = true, .T_map_hint = {}};
+  return {.is_unknown = false, .T_map_hint = parse_place("--at", text)};
 }

@@ -13,6 +13,7 @@
 #include "aisle/formats/sessions/session_storage.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/missions/exploration/exploring_sensor.hpp"
+#include "aisle/missions/exploration/guide_driver.hpp"
 
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
@@ -37,6 +38,9 @@ void add_choice(CLI::App& verb, const std::string& name, Value& chosen, const Ch
 
 /// Parses "x,y,heading_deg", the pose of a vehicle [m, degrees].
 aisle::Pose2 parse_place(const std::string& option, const std::string& text);
+
+/// The value of --at: "home", "unknown", or a pose in the map as a hint.
+aisle::MissionStart parse_told_start(const std::string& text);
 
 /// --sensor: the sensor to explore with.
 void add_exploring_sensor(CLI::App& verb, aisle::ExploringSensor& sensor, const std::string& meaning);

@@ -35,19 +35,6 @@ Result<SessionOrigin> read_origin(const GuideOptions& options, const std::string
   return GuideDriver::origin(params, std::move(*building), goal, options.told.value_or(elsewhere));
 }
 
-/// Sets a simulated vehicle down at home, or where the options say; a robot stands where it stands.
-Problems set_down_at_start(const GuideOptions& options, DrivenVehicle& driven) {
-  SimulationSetting* const setting = driven.setting();
-  if (setting == nullptr) return {};
-  const auto start = start_in(*setting);
-  if (!start) return start.problems();
-  if (options.T_world_start &&
-      !fits(setting->world, setting->vehicle.description.footprint, *options.T_world_start))
-    return {{{"--start"}, "the vehicle does not fit there"}};
-  driven.set_down(options.T_world_start.value_or(set_down_at_home(*setting, *start, options.seed)));
-  return {};
-}
-
 Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, const SessionOrigin& origin,
                               GuideDriver& driver, DrivenVehicle& driven, Console& console) {
   Vehicle& vehicle = driven.vehicle();
@@ -146,7 +133,8 @@ Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const st
   }
   const auto driver = GuideDriver::make(*origin, driven.description());
   if (!driver) return in_file(driver.problems(), options.building.string());
-  if (Problems problems = set_down_at_start(options, driven); !problems.empty()) return problems;
+  if (Problems problems = set_down_at_home_or(options.T_world_start, driven, options.seed); !problems.empty())
+    return problems;
   return drive_to_goal(verb, options, *origin, **driver, driven, console);
 }
 

@@ -39,4 +39,16 @@ Pose2 set_down_at_home(const SimulationSetting& setting, const Pose2& T_world_ho
   return or_exact(setting, T_world_home * off, T_world_home);
 }
 
+Problems set_down_at_home_or(const std::optional<Pose2>& T_world_start, DrivenVehicle& driven,
+                             std::uint64_t seed) {
+  SimulationSetting* const setting = driven.setting();
+  if (setting == nullptr) return {};
+  const auto home = start_in(*setting);
+  if (!home) return home.problems();
+  if (T_world_start && !fits(setting->world, setting->vehicle.description.footprint, *T_world_start))
+    return {{{"--start"}, "the vehicle does not fit there"}};
+  driven.set_down(T_world_start.value_or(set_down_at_home(*setting, *home, seed)));
+  return {};
+}
+
 }  // namespace aisle

@@ -62,19 +62,6 @@ Result<MqttSettings> broker_settings(const FleetOptions& options) {
   return settings;
 }
 
-/// Sets a simulated vehicle down at home, or where the options say; a robot stands where it stands.
-Problems set_fleet_vehicle_down(const FleetOptions& options, DrivenVehicle& driven) {
-  SimulationSetting* const setting = driven.setting();
-  if (setting == nullptr) return {};
-  const auto start = start_in(*setting);
-  if (!start) return start.problems();
-  if (options.T_world_start &&
-      !fits(setting->world, setting->vehicle.description.footprint, *options.T_world_start))
-    return {{{"--start"}, "the vehicle does not fit there"}};
-  driven.set_down(options.T_world_start.value_or(set_down_at_home(*setting, *start, options.seed)));
-  return {};
-}
-
 /// Ends the mission once enough orders are done, and otherwise when the user does.
 class FleetProgress final : public Progress {
  public:
@@ -144,7 +131,8 @@ Result<Outcome> run_fleet(const FleetOptions& options, Console& console) {
       FleetDriver::make(*params, *building, driven.description(), options.told.value_or(elsewhere),
                         options.identity, **link, utc_timestamp);
   if (!driver) return at_file(driver.problems(), options.building.string());
-  if (Problems problems = set_fleet_vehicle_down(options, driven); !problems.empty()) return problems;
+  if (Problems problems = set_down_at_home_or(options.T_world_start, driven, options.seed); !problems.empty())
+    return problems;
 
   PacedVehicle paced(driven.vehicle(), options.rate);
   const bool is_paced = driven.setting() != nullptr;
