@@ -10,6 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kOnSurface_m = 0.04;
+constexpr double kBeside_m = 0.08;  // a beam so far to the side of another may pass an edge that the other meets
 constexpr double kLeastStep_m = 0.03;
 constexpr int kIterations = 12;
 constexpr double kGate_m = 0.35;
@@ -22,8 +23,8 @@ constexpr double kSettled = 1e-4;
 
 enum class BeamFate { kExplained, kShort, kUnknown, kThrough };
 
-/// Follows a beam from surface to surface.
-bool goes_through(const SurfaceField& field, const Vec2& p_from, const Vec2& p_to, double beyond_m) {
+/// Follows a line from surface to surface.
+bool crosses_surface(const SurfaceField& field, const Vec2& p_from, const Vec2& p_to, double beyond_m) {
   const Vec2 along = p_to - p_from;
   const double length_m = along.norm();
   bool has_crossed = false;
@@ -34,6 +35,16 @@ bool goes_through(const SurfaceField& field, const Vec2& p_from, const Vec2& p_t
     s += std::max(kLeastStep_m, has_crossed ? 0.0 : free_m - kOnSurface_m);
   }
   return false;
+}
+
+/// Past an edge, a jamb or a leg, what a beam meets depends on a few centimetres: it goes through a surface only
+/// if the beams to its left and right do, too.
+bool goes_through(const SurfaceField& field, const Vec2& p_from, const Vec2& p_to, double beyond_m) {
+  if (!crosses_surface(field, p_from, p_to, beyond_m)) return false;
+  const Vec2 along = (p_to - p_from).normalized();
+  const Vec2 aside = kBeside_m * Vec2(-along.y(), along.x());
+  return crosses_surface(field, p_from + aside, p_to + aside, beyond_m) &&
+         crosses_surface(field, p_from - aside, p_to - aside, beyond_m);
 }
 
 BeamFate fate_of(const SurfaceField& field, const ViewBeam& beam, const Pose2& T_map_vehicle,
