@@ -229,7 +229,8 @@ TEST_F(RestartedRobot, EndsTheMissionByItsClock) {
   const ProgramRun run = aisle->wait();
   EXPECT_EQ(run.exit_code, 1) << run.err;
   EXPECT_THAT(run.json()["figures"]["ended_because"].get<std::string>(), HasSubstr("/clock jumped back by"));
-  EXPECT_LT(relay->last_motion_s(), kStandsWithin_s) << "the new one may hear the last command to the old one";
+  EXPECT_LT(relay->last_motion_s(), kStandsWithin_s)
+      << "the new one may hear the last command to the old one";
 }
 
 TEST_F(RestartedRobot, EndsTheMissionByItsOdometry) {

@@ -70,8 +70,9 @@ std::span<const PlaceCandidate> PlaceCandidates::rivals() const {
 /// varies as a count of such pieces does.
 double PlaceCandidates::misfit_max_m() const {
   if (places_.empty()) return std::numeric_limits<double>::infinity();
-  const double best_m = places_.front().fit.misfit_m;
-  return best_m + params_.margin_m + params_.margin_deviations * std::sqrt(params_.chance_m * best_m);
+  const ViewFit& best = places_.front().fit;
+  return best.misfit_m + params_.margin_m +
+         params_.margin_deviations * std::sqrt(params_.chance_m * best.chance_m);
 }
 
 }  // namespace aisle

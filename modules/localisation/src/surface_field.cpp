@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kMargin_m = 1;       // around the building
 constexpr double kExplained_m = 0.1;  // occupied floor this near to a wall is that wall
+constexpr double kSurfaceCell_m = 0.7 * SurfaceField::kCell_m;  // of the cells that a surface runs through
+constexpr double kCarried_m = 1;  // what is smaller than this can be carried away
 constexpr std::size_t kCellsMax = 200'000'000;
 
 Eigen::AlignedBox2d box_of(const Building& building) {
@@ -34,6 +36,7 @@ SurfaceField::SurfaceField(const Building& building) {
   }
   if (surfaces_.empty())
     throw std::invalid_argument("a building to be found in needs walls or occupied floor");
+  mark_fixed();
   mark_floor(building);
 }
 
@@ -123,6 +126,43 @@ void SurfaceField::sweep() {
     for (int row = 0; row < rows_; ++row) pass(row, row - 1, to_the_right);
     for (int row = rows_ - 1; row >= 0; --row) pass(row, row + 1, to_the_right);
   }
+}
+
+/// Surfaces that touch are one thing. Chairs, boxes and table legs are carried about; walls are not.
+void SurfaceField::mark_fixed() {
+  std::vector<std::uint8_t> is_visited(nearest_.size());
+  for (std::size_t cell = 0; cell < nearest_.size(); ++cell) {
+    const std::vector<std::size_t> thing = connected_surface(cell, is_visited);
+    Eigen::AlignedBox2d box;
+    for (const std::size_t part : thing)
+      box.extend(Vec2(static_cast<double>(part % static_cast<std::size_t>(columns_)),
+                      static_cast<double>(part / static_cast<std::size_t>(columns_))));
+    if (thing.empty() || kCell_m * box.diagonal().norm() < kCarried_m) continue;
+    for (const std::size_t part : thing) surfaces_[static_cast<std::size_t>(nearest_[part])].is_fixed = true;
+  }
+}
+
+/// All cells on surfaces that touch one another, from one of them on; none if it is not on a surface.
+std::vector<std::size_t> SurfaceField::connected_surface(std::size_t from,
+                                                         std::vector<std::uint8_t>& is_visited) const {
+  std::vector<std::size_t> thing;
+  const auto take = [&](std::size_t cell) {
+    if (is_visited[cell] != 0 || !(distance_m_[cell] <= kSurfaceCell_m)) return;
+    is_visited[cell] = 1;
+    thing.push_back(cell);
+  };
+  const auto width = static_cast<std::size_t>(columns_);
+  take(from);
+  for (std::size_t i = 0; i < thing.size(); ++i) {
+    const std::size_t column = thing[i] % width, row = thing[i] / width;
+    for (std::size_t r = row - std::min<std::size_t>(row, 1);
+         r <= std::min(row + 1, nearest_.size() / width - 1); ++r) {
+      for (std::size_t c = column - std::min<std::size_t>(column, 1); c <= std::min(column + 1, width - 1);
+           ++c)
+        take(r * width + c);
+    }
+  }
+  return thing;
 }
 
 void SurfaceField::mark_floor(const Building& building) {

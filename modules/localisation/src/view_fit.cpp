@@ -10,7 +10,8 @@ namespace aisle {
 namespace {
 
 constexpr double kOnSurface_m = 0.04;
-constexpr double kBeside_m = 0.08;  // a beam so far to the side of another may pass an edge that the other meets
+constexpr double kBeside_m =
+    0.08;  // a beam so far to the side of another may pass an edge that the other meets
 constexpr double kLeastStep_m = 0.03;
 constexpr int kIterations = 12;
 constexpr double kGate_m = 0.35;
@@ -23,22 +24,23 @@ constexpr double kSettled = 1e-4;
 
 enum class BeamFate { kExplained, kShort, kUnknown, kThrough };
 
-/// Follows a line from surface to surface.
+/// Follows a line from surface to surface. What can be carried away may be gone: nothing goes through it.
 bool crosses_surface(const SurfaceField& field, const Vec2& p_from, const Vec2& p_to, double beyond_m) {
   const Vec2 along = p_to - p_from;
   const double length_m = along.norm();
   bool has_crossed = false;
   for (double s = kLeastStep_m; s < length_m;) {
-    const double free_m = field.distance_m(p_from + along * (s / length_m));
+    const Vec2 p = p_from + along * (s / length_m);
+    const double free_m = field.distance_m(p);
     if (has_crossed && free_m > beyond_m) return true;
-    has_crossed |= free_m < kOnSurface_m;
+    has_crossed |= free_m < kOnSurface_m && field.nearest(p)->is_fixed;
     s += std::max(kLeastStep_m, has_crossed ? 0.0 : free_m - kOnSurface_m);
   }
   return false;
 }
 
-/// Past an edge, a jamb or a leg, what a beam meets depends on a few centimetres: it goes through a surface only
-/// if the beams to its left and right do, too.
+/// Past an edge, a jamb or a leg, what a beam meets depends on a few centimetres: it goes through a surface
+/// only if the beams to its left and right do, too.
 bool goes_through(const SurfaceField& field, const Vec2& p_from, const Vec2& p_to, double beyond_m) {
   if (!crosses_surface(field, p_from, p_to, beyond_m)) return false;
   const Vec2 along = (p_to - p_from).normalized();
@@ -53,6 +55,12 @@ BeamFate fate_of(const SurfaceField& field, const ViewBeam& beam, const Pose2& T
   if (goes_through(field, p_laser, p_hit, params.beyond_m)) return BeamFate::kThrough;
   if (field.distance_m(p_hit) <= params.near_m) return BeamFate::kExplained;
   return field.can_stand(p_hit) ? BeamFate::kShort : BeamFate::kUnknown;
+}
+
+/// Of a hit that is explained: how far it is from being not, 0 to 1.
+double share_off(const SurfaceField& field, const Vec2& p_map_hit, const ViewFitParams& params) {
+  const double off_m = field.nearest(p_map_hit)->segment.distance(p_map_hit);
+  return std::clamp((off_m - params.on_m) / (params.near_m - params.on_m), 0.0, 1.0);
 }
 
 struct Residual {
@@ -86,6 +94,7 @@ Residual residual_of(const SurfaceField& field, const Vec2& p_map_hit, const Vec
 }  // namespace
 
 void ViewFitParams::describe(FieldList& fields) {
+  fields.real("on_m", on_m, {0, 0.5}, "a hit this near to a surface is on it");
   fields.real("near_m", near_m, {0.02, 1}, "a hit this near to a surface is explained by it");
   fields.real("beyond_m", beyond_m, {0.05, 2},
               "a beam this far off a surface that it crossed went through it");
@@ -101,9 +110,12 @@ ViewFit fit_of(const SurfaceField& field, std::span<const ViewBeam> beams, doubl
     fit.explained += fate == BeamFate::kExplained ? 1 : 0;
     fit.unknown += fate == BeamFate::kUnknown ? 1 : 0;
     fit.through += fate == BeamFate::kThrough ? 1 : 0;
+    const double cost = fate == BeamFate::kThrough     ? params.through_weight
+                        : fate == BeamFate::kExplained ? share_off(field, T_map_vehicle * beam.p_hit, params)
+                                                       : 1;
+    fit.misfit_m += piece_m * cost;
+    fit.chance_m += piece_m * square(cost);
   }
-  const int short_hits = fit.beams - fit.explained - fit.through;
-  fit.misfit_m = piece_m * (short_hits + params.through_weight * fit.through);
   return fit;
 }
 

@@ -12,7 +12,7 @@ namespace aisle {
 struct LocaliserParams {
   LocalViewParams view;
   PlaceSearchParams search;
-  double search_every_m = 0.3;  ///< it judges its places by a new view after this path, or ...
+  double search_every_m = 0.25;  ///< it judges its places by a new view after this path, or ...
   double search_every_rad = 15 * kDegree;
   double view_min_m = 6;        ///< with less surface in view it does not search
   double not_here_view_m = 15;  ///< a view with so much surface that fits nowhere is of another building

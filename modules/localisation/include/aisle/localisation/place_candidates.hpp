@@ -12,7 +12,8 @@ namespace aisle {
 struct PlaceSearchParams {
   ViewFitParams fit;
   double explained_min = 0.5;    ///< a pose that explains a smaller share of the view is none
-  double margin_m = 2;           ///< surface by which the best place must be ahead of every other, and ...
+  double margin_m = 1.2;         ///< surface by which the best place must be ahead of every other (more than
+                                 ///< one thing that was carried from there to here), and ...
   double margin_deviations = 3;  ///< ... so many standard deviations of what chance makes of its misfit
   double chance_m = 0.5;  ///< pieces of surface this far apart are explained or not, each by its own chance
   double apart_m = 0.3;   ///< poses nearer than this, from where they settle at one another, and ...

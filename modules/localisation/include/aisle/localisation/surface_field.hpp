@@ -13,6 +13,8 @@ struct Surface {
   Segment2 segment;            ///< of a cell: a point
   Vec2 normal = Vec2::Zero();  ///< of a wall, unit, towards its free side; zero: it may face anywhere
 
+  bool is_fixed = false;  ///< part of something that nobody carries away: of 1 m or more
+
   bool is_wall() const { return !normal.isZero(); }
 };
 
@@ -59,6 +61,8 @@ class SurfaceField {
   void offer(int column, int row, int surface);
   void take_from(std::size_t cell, std::size_t neighbour, const Vec2& p_map);
   void sweep();
+  void mark_fixed();
+  std::vector<std::size_t> connected_surface(std::size_t from, std::vector<std::uint8_t>& is_visited) const;
   void mark_floor(const Building& building);
 
   Vec2 p_map_corner_ = Vec2::Zero();

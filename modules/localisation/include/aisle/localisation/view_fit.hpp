@@ -9,6 +9,7 @@
 namespace aisle {
 
 struct ViewFitParams {
+  double on_m = 0.05;      ///< a hit this near to a surface is on it: maps err by so much
   double near_m = 0.15;    ///< a hit this near to a surface is explained by it
   double beyond_m = 0.25;  ///< a beam that gets this far off a surface that it crossed went through it
   double through_weight = 2;
@@ -23,6 +24,7 @@ struct ViewFit {
   int through = 0;      ///< went through one; all others ended where the building has none
   int unknown = 0;      ///< of these others: where the building is not known either
   double misfit_m = 0;  ///< surface that is not explained, weighted
+  double chance_m = 0;  ///< the same with squared weights: chance makes the misfit vary by its square root
 
   /// Of the beams that the building says anything about.
   double explained_share_of_known() const {
