@@ -23,9 +23,9 @@ int main(int argc, char** argv) {
                                   {.T_world_start = *T_world_start, .takes_images = false});
 
   // The world's start is where the exploration began, so it is home; in `map` home has its own pose.
-  const aisle::Vec2 p_map_goal(std::atof(argv[4]), std::atof(argv[5]));
-  aisle::GuideNavigator guide({}, model->description, *building, building->places.front().T_map_place,
-                              {p_map_goal}, aisle::scanner_scans(model->description));
+  const aisle::GoalPlace goal{.p_map = {std::atof(argv[4]), std::atof(argv[5])}};
+  aisle::GuideNavigator guide({}, model->description, *building, building->places.front().T_map_place, {goal},
+                              aisle::scanner_scans(model->description));
   aisle::Decision decision;
   while (decision.status == aisle::NavigatorStatus::kGoing) {
     decision = guide.step(*vehicle.sense());

@@ -45,22 +45,23 @@ void require(const GuideOptions& options) {
 
 void add_go_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
-      "go", "drive from home to a place in an explored building: simulated, or with a robot");
+      "go", "drive from home to places in an explored building: simulated, or with a robot");
   verb->fallthrough();
   add_examples(*verb,
-               {"aisle go out/office/building.json \"end 1\" --world small-office",
+               {"aisle go out/office/building.json \"end 1\" 3.5,2,90 --world small-office",
                 "aisle go out/office/building.json 3.5,2 --world small-office --start 4,1,90 --at unknown",
                 "aisle go building.json kitchen --connect robot.yaml --live"});
   auto options = std::make_shared<GuideOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
-  verb->add_option("PLACE", options->place,
-                   "goal: name of a place or of a corridor node (\"end 1\"), or x,y in the map frame [m]; "
+  verb->add_option("PLACE", options->places,
+                   "goal: name of a place or of a corridor node (\"end 1\"), x,y in the map frame [m], or "
+                   "x,y,heading_deg, at which it then turns; several are driven to in order; "
                    "with --connect and without it: the goals of the robot's viewer, on /goal_pose");
   add_mission_options(*verb, *options);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {
     require(*options);
-    if (options->place.empty() && options->connection.empty()) throw CLI::RequiredError("PLACE");
+    if (options->places.empty() && options->connection.empty()) throw CLI::RequiredError("PLACE");
     work = live.around([options](Console& console, const auto&) { return run_go(*options, console); });
   });
 }

@@ -66,6 +66,25 @@ TEST_F(GoInAMap, DrivesToAPlaceTheOtherWayRoundWhereAMaskClosesTheCorridor) {
   EXPECT_GT(run.json()["figures"]["distance_m"], 22) << "through the zone it would be 17 m";
 }
 
+TEST_F(GoInAMap, DrivesToGoalsInOrderAndSaysHowItStandsAtTheirHeadings) {
+  convert({});
+  const auto go = [this](const std::vector<std::string>& places) {
+    std::vector<std::string> arguments = {"go", at("building.json")};
+    arguments.insert(arguments.end(), places.begin(), places.end());
+    arguments.insert(arguments.end(), {"--world", "small-office", "--vehicle", "turtlebot", "--json"});
+    return run_aisle(arguments);
+  };
+  const ProgramRun run = go({"2,0", "1,0,-90"});
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["places_reached"], 2);
+  ASSERT_EQ(figures["headings"].size(), 1U);
+  EXPECT_EQ(figures["headings"][0]["place"], 2);
+  EXPECT_EQ(figures["headings"][0]["reached"], true);
+  EXPECT_LT(std::abs(figures["headings"][0]["off_deg"].get<double>()), 10);
+  EXPECT_THAT(go({"home", "nowhere"}), IsRefused("goal 2: 'nowhere' is unknown"));
+}
+
 TEST_F(GoInAMap, PlacesWhereNothingCanDriveAreRefused) {
   EXPECT_THAT(convert({"--place", "desk=300,2"}), IsRefused("'desk' at 300,2 is not on floor"));
   file("mask.pgm", mask_pgm(-2, -2, 2, 2));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -35,6 +36,16 @@ Result<SessionOrigin> read_origin(const GuideOptions& options, const std::string
   return GuideDriver::origin(params, std::move(*building), goal, options.told.value_or(elsewhere));
 }
 
+/// How it stood at the goals that have a heading; null: none has.
+nlohmann::ordered_json headings_json(const std::vector<GoalHeading>& headings) {
+  nlohmann::ordered_json rows;
+  for (const GoalHeading& heading : headings)
+    rows.push_back({{"place", heading.place + 1},
+                    {"off_deg", rounded(to_degrees(heading.off_rad), 1)},
+                    {"reached", heading.is_reached}});
+  return rows;
+}
+
 Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, const SessionOrigin& origin,
                               GuideDriver& driver, DrivenVehicle& driven, Console& console) {
   Vehicle& vehicle = driven.vehicle();
@@ -49,12 +60,16 @@ Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, con
   const Building& building = driver.building();
   const Footprint& footprint = vehicle.description().footprint;
   const Goal& sent = driver.goal();
-  Outcome outcome{.verb = verb, .ok = result->end.arrived && result->is_unharmed()};
+  const auto& headings = navigator.headings();
+  const bool faces_right =
+      std::all_of(headings.begin(), headings.end(), [](const GoalHeading& h) { return h.is_reached; });
+  Outcome outcome{.verb = verb, .ok = result->end.arrived && faces_right && result->is_unharmed()};
   outcome.figures = known_figures(
       {{"arrived", result->end.arrived},
        {"why", result->end.why},
-       {"places", sent.p_map_places.size()},
+       {"places", sent.places.size()},
        {"places_reached", navigator.places_reached()},
+       {"headings", headings_json(headings)},
        {"ways_closed", navigator.ways_closed()},
        {"times_lost", driver.times_lost()},
        {"distance_m", rounded(result->distance_m(), 3)},
@@ -89,9 +104,9 @@ Result<Outcome> follow_goals_of_robot(const GuideOptions& options, Console& cons
   const auto goals = RobotGoals::open(*(*robot)->wire, (*robot)->connection, console.warn);
   if (!goals) return goals.problems();
   RobotGoals& asked = **goals;
-  const auto goal = [&asked]() -> std::optional<Vec2> {
+  const auto goal = [&asked]() -> std::optional<GoalPlace> {
     const auto T_map = asked.take_goal();
-    return T_map ? std::optional(T_map->position()) : std::nullopt;
+    return T_map ? std::optional(GoalPlace{T_map->position(), T_map->theta}) : std::nullopt;
   };
   auto follower = GoalFollower::make(params, *building, vehicle.description(),
                                      {goal, [&asked] { return asked.take_initial_pose(); }, console.warn});
@@ -146,8 +161,8 @@ Outcome guide_parameters() {
 }
 
 Result<Outcome> run_go(const GuideOptions& options, Console& console) {
-  if (options.place.empty()) return follow_goals_of_robot(options, console);
-  return run_goal("go", options, "go " + options.place, console);
+  if (options.places.empty()) return follow_goals_of_robot(options, console);
+  return run_goal("go", options, GuideDriver::go_text(options.places), console);
 }
 
 Result<Outcome> run_patrol(const GuideOptions& options, Console& console) {

@@ -64,6 +64,7 @@ class LiveRun {
     state.mode = "idle";
     state.mission.clear();
     state.session.clear();
+    state.goals = nullptr;
     state.is_driven_by_hand = true;
     control_.go_on();
     return work(live_idling(options_, control_.T_world_vehicle()));
@@ -74,6 +75,7 @@ class LiveRun {
     state.mode = mission.drives ? "mission" : "work";
     state.mission = mission.name;
     state.session = mission.session;
+    state.goals = mission.goals;
     state.is_driven_by_hand = mission.is_driven_by_hand;
     control_.begin();
     const auto outcome = work(mission);

@@ -25,6 +25,8 @@ class LiveArguments {
   /// A whole number, 0 .. `max`.
   std::optional<std::uint64_t> count(const char* key, std::uint64_t max);
   bool flag(const char* key);
+  /// Of any kind, for the caller to check; null if it is missing.
+  const nlohmann::json* value(const char* key) { return find(key); }
 
   /// All problems so far, and one for each key that was never read.
   Problems problems() const;

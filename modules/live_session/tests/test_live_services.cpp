@@ -91,6 +91,24 @@ TEST_F(LiveMissions, NeedExistingFilesAndOverwriteNone) {
               HasSubstr("there is no 'none'"));
 }
 
+TEST_F(LiveMissions, GoToOneGoalOrToSeveralInOrder) {
+  options.listening.buildings = kGolden;
+  const auto go = [](const Json& goal) {
+    Json request = {{"mission", "go"}, {"building", "building.v1"}};
+    request.update(goal);
+    return request;
+  };
+  const Json goals = {{{"x_m", 1}, {"y_m", 2}, {"heading_deg", 90}}, {{"place", "desk"}}};
+  EXPECT_EQ(refusal(go({{"x_m", 1}, {"y_m", 2}, {"heading_deg", 90}})), "");
+  EXPECT_EQ(refusal(go({{"goals", goals}})), "");
+  EXPECT_EQ(Json(live_mission(options, go({{"goals", goals}}), {})->goals), goals);
+  EXPECT_THAT(refusal(go({{"goals", 3}})), HasSubstr("goals: must be a list"));
+  EXPECT_THAT(refusal(go({{"goals", Json::array()}})), HasSubstr("place: is missing"));
+  EXPECT_THAT(refusal(go({{"goals", {{{"place", "a"}}, {{"x_m", 1}}}}})), HasSubstr("goals.2: has neither"));
+  EXPECT_THAT(refusal(go({{"goals", {{{"x_m", "1"}, {"y_m", 2}}}}})),
+              HasSubstr("goals.1.x_m: must be a number"));
+}
+
 class SteppedClock final : public Clock {
  public:
   double now_s() const override { return time_s; }

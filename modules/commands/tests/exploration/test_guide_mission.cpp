@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "aisle/commands/set_down.hpp"
 #include "aisle/evaluation/exploration/exploration_evaluation.hpp"
@@ -75,12 +76,15 @@ struct Driven {
   GuideMissionResult result;
   double shortest_m = 0;
   double coverage = 0;
+  std::vector<GoalHeading> headings;
+  std::size_t places_reached = 0;
 };
 
 Driven drive(const std::string& goal, const World& world = l_building(),
-             const Building& building = learned(l_building())) {
+             const Building& building = learned(l_building()),
+             const std::string& vehicle_name = "alv-scanner") {
   const SimulationSetting setting{
-      .world_file = {}, .world = world, .vehicle = cart_with_scanner(), .scenario = {}};
+      .world_file = {}, .world = world, .vehicle = shipped_explorer(vehicle_name), .scenario = {}};
   auto driver =
       GuideDriver::make(GuideDriver::origin({}, building_json(building), goal), setting.vehicle.description);
   EXPECT_TRUE(driver.ok()) << to_string(driver.problems());
@@ -91,7 +95,8 @@ Driven drive(const std::string& goal, const World& world = l_building(),
   EXPECT_TRUE(result.ok());
   const double coverage = graph_coverage((*driver)->building().corridors, result->T_map_vehicle,
                                          setting.vehicle.description.footprint);
-  return {std::move(*result), (*driver)->goal().shortest_m, coverage};
+  return {std::move(*result), (*driver)->goal().shortest_m, coverage, (*driver)->navigator().headings(),
+          (*driver)->navigator().places_reached()};
 }
 
 std::string refused(const std::string& place) {
@@ -206,11 +211,102 @@ TEST(GuideMission, IsSlowInASlowZoneOnly) {
   EXPECT_GT(fastest_outside_m, 0.25 * cycle_s);
 }
 
+double off_deg(const Driven& driven, double heading_deg) {
+  return std::abs(to_degrees(wrap_angle(driven.result.T_world_vehicle.back().theta - heading_deg * kDegree)));
+}
+
+constexpr double kFacing_deg = 11;  // 10, and what its own pose is off
+
+TEST(GuideHeading, ARobotOnTwoWheelsTurnsOnTheSpotAtItsGoal) {
+  for (const double heading_deg : {-90.0, 0.0, 170.0}) {
+    const Driven driven =
+        drive("go 13,8," + std::to_string(heading_deg), l_building(), learned(l_building()), "turtlebot");
+    EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+    EXPECT_EQ(driven.result.end.why, "");
+    EXPECT_EQ(driven.result.collisions(), 0U);
+    EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(13, 8)).norm(), 0.7);
+    EXPECT_LT(off_deg(driven, heading_deg), 4) << "where it can, it turns to exactly the heading";
+    ASSERT_EQ(driven.headings.size(), 1U);
+    EXPECT_TRUE(driven.headings[0].is_reached);
+  }
+}
+
+TEST(GuideHeading, ACartTurnsWhereItHasRoomFor) {
+  const Driven driven = drive("go 13,8,-90");
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.end.why, "");
+  EXPECT_EQ(driven.result.collisions(), 0U);
+  EXPECT_LT(off_deg(driven, -90), kFacing_deg);
+}
+
+TEST(GuideHeading, WhereThereIsNoRoomToTurnItSaysHowFarOffItStands) {
+  const World narrow = walled_by({{0, 0}, {10, 0}, {10, 1}, {0, 1}}, {1.5, 0.5, 0});
+  const Building building = learned(narrow, [](const Vec2& p) { return p.x() < 10 && p.y() < 1; });
+  const Driven driven = drive("go 6,0.5,90", narrow, building);
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(6, 0.5)).norm(), 1.5);
+  EXPECT_THAT(driven.result.end.why,
+              testing::MatchesRegex("at 6.0, 0.5 it stands (8[0-9]|9[0-9]) degrees off the heading 90: .*"));
+  ASSERT_EQ(driven.headings.size(), 1U);
+  EXPECT_FALSE(driven.headings[0].is_reached);
+  EXPECT_NEAR(std::abs(driven.headings[0].off_rad), 90 * kDegree, 10 * kDegree);
+}
+
+TEST(GuideHeading, IsObeyedAtAGoalOfTheRobotsViewer) {
+  const World world = l_building();
+  std::optional<GoalPlace> asked = GoalPlace{{5, 1}, 180 * kDegree};
+  std::string said;
+  const GoalRequests requests{[&] { return std::exchange(asked, std::nullopt); },
+                              [] { return std::optional<Pose2>(); },
+                              [&](const std::string& words) { said += words + "\n"; }};
+  SimulatedVehicle vehicle(world, shipped_explorer("turtlebot"), {}, {.T_world_start = *world.start});
+  const auto follower =
+      GoalFollower::make({}, building_json(learned(world)), vehicle.description(), requests);
+  ASSERT_TRUE(follower.ok()) << to_string(follower.problems());
+  constexpr double kTimeMax_s = 120;
+  while ((*follower)->goals_reached() == 0 && vehicle.truth().stamp_s < kTimeMax_s)
+    vehicle.act((*follower)->step(*vehicle.sense()).command);
+  EXPECT_EQ(said, "drives to 5.00, 1.00, 180 deg\ngoal 5.00, 1.00: arrived; waits for the next one\n");
+  EXPECT_NEAR(std::abs(vehicle.truth().T_world_vehicle.theta), kPi, 4 * kDegree);
+}
+
+TEST(GuideQueue, GoalsAreDrivenToInOrder) {
+  const Driven driven = drive(GuideDriver::go_text({"8,1", "lift", "13,3,90"}));
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.places_reached, 3U);
+  EXPECT_GT(driven.result.distance_m(), 18) << "to the lift, and back";
+  EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(13, 3)).norm(), 1.5);
+  EXPECT_LT(off_deg(driven, 90), kFacing_deg);
+}
+
+TEST(GuideQueue, EndsAtTheFirstGoalThatCannotBeReached) {
+  World closed = l_building();
+  closed.walls.push_back({.floor_edge = {{12, 5}, {14, 5}}});
+  const Driven driven = drive(GuideDriver::go_text({"8,1", "lift", "3,1"}), closed);
+  EXPECT_FALSE(driven.result.end.arrived);
+  EXPECT_EQ(driven.places_reached, 1U);
+  EXPECT_THAT(driven.result.end.why, HasSubstr("goal 2 of 3: there is no path to 13.0, 8.0"));
+}
+
+TEST(GuideGoal, OfAQueueAllThatIsWrongIsSaid) {
+  const auto goal = goal_through(learned(l_building()), {"lift", "cellar", "5,9"});
+  EXPECT_THAT(to_string(goal.problems()), HasSubstr("goal 2: 'cellar' is unknown"));
+  EXPECT_THAT(to_string(goal.problems()), HasSubstr("goal 3: nothing is known at 5,9"));
+}
+
+TEST(GuideGoal, APointMayHaveAHeading) {
+  const Goal goal = *goal_to(learned(l_building()), "5,1.25,-270");
+  EXPECT_EQ(goal.places.front().p_map, Vec2(5, 1.25));
+  EXPECT_NEAR(goal.places.front().heading_rad.value(), 90 * kDegree, 1e-9);
+  EXPECT_FALSE(goal_to(learned(l_building()), "5,1.25")->places.front().heading_rad);
+  EXPECT_THAT(refused("5,1,400"), HasSubstr("'5,1,400' is unknown"));
+}
+
 TEST(GuideGoal, PlacesAreNamesNodesAndPoints) {
   const Building building = learned(l_building());
-  EXPECT_EQ(goal_to(building, "lift")->p_map_places.front(), Vec2(13, 8));
-  EXPECT_EQ(goal_to(building, "end 2")->p_map_places.front(), building.corridors.nodes[1].p_map);
-  EXPECT_EQ(goal_to(building, "5,1.25")->p_map_places.front(), Vec2(5, 1.25));
+  EXPECT_EQ(goal_to(building, "lift")->places.front().p_map, Vec2(13, 8));
+  EXPECT_EQ(goal_to(building, "end 2")->places.front().p_map, building.corridors.nodes[1].p_map);
+  EXPECT_EQ(goal_to(building, "5,1.25")->places.front().p_map, Vec2(5, 1.25));
   EXPECT_THAT(refused("cellar"), HasSubstr("'cellar' is unknown; there are home, lift, end 1, end 2"));
   EXPECT_THAT(refused("5,9"), HasSubstr("nothing is known at 5,9"));
   EXPECT_THAT(refused("5,nan"), HasSubstr("'5,nan' is unknown"));
@@ -223,13 +319,13 @@ TEST(GuideGoal, NoPlaceLiesInAKeepOutZone) {
   EXPECT_THAT(to_string(goal_to(building, "lift").problems()),
               HasSubstr("'lift' lies in the keep-out zone 'lab'"));
   const Goal round = *patrol_goal(building, 1);
-  for (const Vec2& p : round.p_map_places) EXPECT_FALSE(contains(building.zones[0], p));
+  for (const GoalPlace& place : round.places) EXPECT_FALSE(contains(building.zones[0], place.p_map));
 }
 
 TEST(GuideGoal, EveryRoundOfAPatrolIsAsLongAsTheFirst) {
   const Building building = learned(l_building());
   const Goal one = *patrol_goal(building, 1), three = *patrol_goal(building, 3);
-  EXPECT_EQ(three.p_map_places.size() - 1, 3 * (one.p_map_places.size() - 1));
+  EXPECT_EQ(three.places.size() - 1, 3 * (one.places.size() - 1));
   EXPECT_FALSE(patrol_goal(building, 0).ok());
 }
 

@@ -14,8 +14,12 @@ namespace aisle {
 namespace {
 
 constexpr double kWatchAhead_m = 1.5;
-constexpr double kGetsOn_m = 0.3;     // moving this far counts as progress
-constexpr double kSearchAgain_s = 2;  // after no path was found
+constexpr double kGetsOn_m = 0.3;                   // moving this far counts as progress
+constexpr double kSearchAgain_s = 2;                // after no path was found
+constexpr double kFacingPlanned_rad = 8 * kDegree;  // more than half of what a search turns at once
+constexpr double kFacingExactly_rad = 2 * kDegree;
+constexpr double kTurnWithin_m = 4;  // of the place, to turn there
+constexpr int kTurnsMax = 3;
 
 UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams& params) {
   const Vec3 sigma(params.start_sigma_m, params.start_sigma_m, params.start_sigma_rad);
@@ -51,7 +55,7 @@ void GuideNavigatorParams::describe(FieldList& fields) {
 
 GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
                                const Building& building, const Pose2& T_map_start,
-                               std::vector<Vec2> p_map_places, std::unique_ptr<ScanSource> sensor)
+                               std::vector<GoalPlace> places, std::unique_ptr<ScanSource> sensor)
     : params_(params),
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
@@ -61,7 +65,7 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
       search_(params.search, vehicle),
       driver_(vehicle, params.steering, params.speed),
       rules_(building, vehicle),
-      p_map_places_(std::move(p_map_places)),
+      places_(std::move(places)),
       T_map_vehicle_(T_map_start) {}
 
 Decision GuideNavigator::step(const Observation& observation) {
@@ -78,14 +82,18 @@ Decision GuideNavigator::decide(const Observation& observation) {
     return {.status = NavigatorStatus::kFailed, .state = "given up", .why = why};
   if (stamp_s - *begun_s_ < params_.look_s) return {.state = "looking"};
   check_path();
-  if (next_ < p_map_places_.size()) search_path(stamp_s);
-  if (next_ == p_map_places_.size()) return {.status = NavigatorStatus::kDone, .state = "arrived"};
+  if (next_ < places_.size()) search_path(stamp_s);
+  if (next_ == places_.size())
+    return {.status = NavigatorStatus::kDone, .state = "arrived", .why = missed_headings()};
   return drive(observation);
 }
 
-void GuideNavigator::send_to(std::vector<Vec2> p_map_places, double stamp_s) {
-  p_map_places_ = std::move(p_map_places);
+void GuideNavigator::send_to(std::vector<GoalPlace> places, double stamp_s) {
+  places_ = std::move(places);
   next_ = 0;
+  headings_.clear();
+  turns_tried_ = 0;
+  has_turned_fully_ = ignores_heading_ = false;
   progress_s_ = stamp_s;
   relaxes_clearance_ = false;
   drop_path();
@@ -132,8 +140,8 @@ std::string GuideNavigator::why_failed(const Observation& observation) {
   if (const Zone* zone = keep_out_around(building_.zones, T_map_vehicle_.position()))
     return fmt::format("is in the {}", words_for(*zone));
   if (is_lost(observation.stamp_s)) return "lost: what it sees fits no walls that it knows";
-  if (next_ == p_map_places_.size() || observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
-  const Vec2& p = p_map_places_[next_];
+  if (next_ == places_.size() || observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
+  const Vec2& p = places_[next_].p_map;
   return fmt::format("there is no path to {:.1f}, {:.1f}{}", p.x(), p.y(),
                      rules_.empty() ? "" : " that obeys the building's keep-out lines, glass and zones");
 }
@@ -154,15 +162,80 @@ void GuideNavigator::drop_path() {
 bool GuideNavigator::is_at_place(const Pose2& T_map_vehicle) const {
   const Footprint& footprint = vehicle_.footprint;
   const Segment2 axis{T_map_vehicle * Vec2(-footprint.rear_m, 0), T_map_vehicle * Vec2(footprint.front_m, 0)};
-  return axis.distance(p_map_places_[next_]) <= params_.arrive_m;
+  return axis.distance(places_[next_].p_map) <= params_.arrive_m;
+}
+
+double GuideNavigator::off_heading_rad(const Pose2& T_map_vehicle) const {
+  return wrap_angle(T_map_vehicle.theta - *places_[next_].heading_rad);
+}
+
+/// At a place that has a heading: reaches it, or turns on the spot.
+/// @return false: it is elsewhere, or a path that turns it must be searched
+bool GuideNavigator::arrive_facing(double stamp_s) {
+  if (!places_[next_].heading_rad || !is_at_place(T_map_vehicle_)) return false;
+  const double off_rad = off_heading_rad(T_map_vehicle_);
+  if (std::abs(off_rad) > kFacing_rad && turns_tried_ < kTurnsMax) {
+    ++turns_tried_;
+    ignores_heading_ = false;
+    progress_s_ = stamp_s;
+    return false;
+  }
+  const bool turns = vehicle_.is_differential && std::abs(off_rad) > kFacingExactly_rad &&
+                     std::abs(off_rad) <= kFacing_rad && !std::exchange(has_turned_fully_, true);
+  if (turns) {
+    driver_.take(Path({{T_map_vehicle_, {.length_m = 0, .turn_rad = -off_rad}}}));
+  } else {
+    reach_place(stamp_s);
+  }
+  return true;
+}
+
+/// No path leads to the place and its heading: it drives there all the same.
+void GuideNavigator::give_up_heading(double stamp_s) {
+  progress_s_ = stamp_s;
+  relaxes_clearance_ = false;
+  search_.stop();
+  if (is_at_place(T_map_vehicle_)) return reach_place(stamp_s);
+  ignores_heading_ = true;
+}
+
+void GuideNavigator::reach_place(double stamp_s) {
+  if (places_[next_].heading_rad) {
+    const double off_rad = off_heading_rad(T_map_vehicle_);
+    headings_.push_back({next_, off_rad, std::abs(off_rad) <= kFacing_rad});
+  }
+  ++next_;
+  progress_s_ = stamp_s;
+  turns_tried_ = 0;
+  has_turned_fully_ = ignores_heading_ = false;
+}
+
+std::string GuideNavigator::missed_headings() const {
+  std::string words;
+  for (const GoalHeading& heading : headings_) {
+    if (heading.is_reached) continue;
+    const GoalPlace& place = places_[heading.place];
+    words +=
+        fmt::format("{}at {:.1f}, {:.1f} it stands {:.0f} degrees off the heading {:.0f}: no path turns it",
+                    words.empty() ? "" : "; ", place.p_map.x(), place.p_map.y(),
+                    std::abs(to_degrees(heading.off_rad)), to_degrees(*place.heading_rad));
+  }
+  return words;
 }
 
 void GuideNavigator::begin_search() {
-  const Vec2& p_map_place = p_map_places_[next_];
-  search_.look_for(floor_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
-                   [this](const Pose2& T_map) { return is_at_place(T_map); });
+  const GoalPlace& place = places_[next_];
+  const bool turns = place.heading_rad && !ignores_heading_;
+  search_.look_for(
+      floor_, T_map_vehicle_, place.p_map, vehicle_.footprint.front_m, [this, turns](const Pose2& T_map) {
+        return is_at_place(T_map) && (!turns || std::abs(off_heading_rad(T_map)) <= kFacingPlanned_rad);
+      });
   search_.forbid_first(std::exchange(blocked_direction_, std::nullopt));
   if (relaxes_clearance_) search_.relax_clearance();
+  if (turns && is_at_place(T_map_vehicle_))
+    search_.keep_to([p_map = place.p_map](const Pose2& T_map) {
+      return (T_map.position() - p_map).norm() <= kTurnWithin_m;
+    });
 }
 
 void GuideNavigator::search_path(double stamp_s) {
@@ -171,26 +244,34 @@ void GuideNavigator::search_path(double stamp_s) {
     p_map_progress_ = T_map_vehicle_.position();
   }
   if (driver_.has_path()) return;
-  if (search_.state() == CarSearch::State::kIdle) begin_search();
+  if (search_.state() == CarSearch::State::kIdle) {
+    if (arrive_facing(stamp_s)) return;
+    begin_search();
+  }
   if (search_.state() == CarSearch::State::kNone) {
     if (!relaxes_clearance_ && stamp_s - searched_s_ < kSearchAgain_s) return;
     begin_search();
   }
   const CarSearch::State state = search_.advance(floor_, params_.expansions);
-  if (state == CarSearch::State::kNone) {
-    searched_s_ = stamp_s;
-    relaxes_clearance_ = !relaxes_clearance_;
-  }
+  if (state == CarSearch::State::kNone) search_again(stamp_s);
   if (state != CarSearch::State::kFound) return;
   relaxes_clearance_ = false;
   const Path path = search_.path();
   search_.stop();
   if (path.empty()) {
-    ++next_;
-    progress_s_ = stamp_s;
+    reach_place(stamp_s);
   } else {
     driver_.take(path);
   }
+}
+
+/// No path was found: with less clearance there may be one, or without the heading.
+void GuideNavigator::search_again(double stamp_s) {
+  searched_s_ = stamp_s;
+  const bool turns = places_[next_].heading_rad && !ignores_heading_;
+  if (turns && relaxes_clearance_) return give_up_heading(stamp_s);
+  if (turns) progress_s_ = stamp_s;
+  relaxes_clearance_ = !relaxes_clearance_;
 }
 
 Decision GuideNavigator::drive(const Observation& observation) {

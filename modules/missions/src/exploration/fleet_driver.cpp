@@ -134,7 +134,7 @@ void FleetDriver::follow_target(double stamp_s) {
   // The vehicle may stand off the node where the edge begins, as it may have been near enough to it.
   sent_ = *target;
   retry_at_s_.reset();
-  navigator_.send_to({target->p_map}, stamp_s);
+  navigator_.send_to({GoalPlace{target->p_map}}, stamp_s);
 }
 
 void FleetDriver::stand(double stamp_s) {

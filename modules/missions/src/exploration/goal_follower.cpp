@@ -23,6 +23,10 @@ std::string text_of(const Vec2& p) {
 std::string text_of(const Pose2& T) {
   return fmt::format("{:.2f}, {:.2f}, {:.0f} deg", T.x, T.y, to_degrees(T.theta));
 }
+std::string text_of(const GoalPlace& goal) {
+  const Vec2& p = goal.p_map;
+  return goal.heading_rad ? text_of(Pose2{p.x(), p.y(), *goal.heading_rad}) : text_of(p);
+}
 
 }  // namespace
 
@@ -47,30 +51,30 @@ GoalFollower::GoalFollower(const GuideNavigatorParams& params, const VehicleDesc
 
 Decision GoalFollower::step(const Observation& observation) {
   if (const auto T_map_stated = requests_.initial_pose()) begin_check(*T_map_stated);
-  if (const auto p_map_goal = requests_.goal()) take_goal(*p_map_goal, observation.stamp_s);
+  if (const auto goal = requests_.goal()) take_goal(*goal, observation.stamp_s);
   Decision decision = navigator_.step(observation);
   if (check_) {
     check_pose(observation);
     return {.state = "looking"};
   }
-  if (!p_map_goal_) return {.state = "waiting"};
+  if (!goal_) return {.state = "waiting"};
   if (decision.status == NavigatorStatus::kGoing) return decision;
   if (decision.status == NavigatorStatus::kFailed) return waiting(decision.why);
   ++reached_;
-  return waiting("arrived");
+  return waiting(decision.why.empty() ? "arrived" : "arrived, but " + decision.why);
 }
 
 bool GoalFollower::is_free(const Vec2& p_map) const {
   return building_.floor->at(p_map) == Floor::kFree;
 }
 
-void GoalFollower::take_goal(const Vec2& p_map, double stamp_s) {
-  if (!is_free(p_map))
-    return requests_.say(fmt::format("goal {} refused: no free floor is known there", text_of(p_map)));
+void GoalFollower::take_goal(const GoalPlace& goal, double stamp_s) {
+  if (!is_free(goal.p_map))
+    return requests_.say(fmt::format("goal {} refused: no free floor is known there", text_of(goal.p_map)));
   ++goals_;
-  requests_.say(fmt::format("drives to {}", text_of(p_map)));
-  p_map_goal_ = p_map;
-  navigator_.send_to({p_map}, stamp_s);
+  requests_.say("drives to " + text_of(goal));
+  goal_ = goal;
+  navigator_.send_to({goal}, stamp_s);
 }
 
 void GoalFollower::begin_check(const Pose2& T_map_stated) {
@@ -104,8 +108,8 @@ void GoalFollower::check_pose(const Observation& observation) {
 }
 
 Decision GoalFollower::waiting(const std::string& because) {
-  requests_.say(fmt::format("goal {}: {}; waits for the next one", text_of(*p_map_goal_), because));
-  p_map_goal_.reset();
+  requests_.say(fmt::format("goal {}: {}; waits for the next one", text_of(goal_->p_map), because));
+  goal_.reset();
   return {.state = "waiting"};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -33,6 +34,21 @@ std::optional<Vec2> point_of(const std::string& text) {
   return p;
 }
 
+constexpr double kHeadingMax_deg = 360;
+
+/// "x,y" in metres, or "x,y,heading_deg".
+std::optional<GoalPlace> goal_place_of(const std::string& text) {
+  if (const auto point = point_of(text)) return GoalPlace{*point};
+  const std::size_t comma = text.rfind(',');
+  const auto point = comma == std::string::npos ? std::nullopt : point_of(text.substr(0, comma));
+  double heading_deg = 0;
+  const char* const end = text.data() + text.size();
+  if (!point) return std::nullopt;
+  const auto [rest, error] = std::from_chars(text.data() + comma + 1, end, heading_deg);
+  if (error != std::errc() || rest != end || !(std::abs(heading_deg) <= kHeadingMax_deg)) return std::nullopt;
+  return GoalPlace{*point, wrap_angle(heading_deg * kDegree)};
+}
+
 std::string known_names(const Building& building) {
   std::vector<std::string> names;
   for (const MapPlace& place : building.places) names.push_back(place.name);
@@ -41,20 +57,20 @@ std::string known_names(const Building& building) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-Result<Vec2> find_place(const Building& building, const std::string& text) {
+Result<GoalPlace> find_place(const Building& building, const std::string& text) {
   for (const MapPlace& place : building.places) {
-    if (place.name == text) return place.T_map_place.position();
+    if (place.name == text) return GoalPlace{place.T_map_place.position()};
   }
   for (std::size_t i = 0; i < building.corridors.nodes.size(); ++i) {
-    if (building.corridors.name_of(i) == text) return building.corridors.nodes[i].p_map;
+    if (building.corridors.name_of(i) == text) return GoalPlace{building.corridors.nodes[i].p_map};
   }
-  const auto point = point_of(text);
-  if (!point)
-    return place_problem(
-        fmt::format("'{}' is unknown; there are {}, and any x,y", text, known_names(building)));
-  if (building.floor->at(*point) != Floor::kFree)
+  const auto place = goal_place_of(text);
+  if (!place)
+    return place_problem(fmt::format("'{}' is unknown; there are {}, and any x,y or x,y,heading_deg", text,
+                                     known_names(building)));
+  if (building.floor->at(place->p_map) != Floor::kFree)
     return place_problem(fmt::format("nothing is known at {} that could be driven on", text));
-  return *point;
+  return *place;
 }
 
 /// Length of the path from one point to another along the corridors, with the legs to and from them.
@@ -73,6 +89,7 @@ std::size_t node_nearest(const CorridorGraph& graph, const Vec2& p_map) {
   return static_cast<std::size_t>(nearest - graph.nodes.begin());
 }
 
+constexpr const char* kGoals = "goals";
 constexpr const char* kStartMark = "; start ";  // between goal and start in a session's record
 
 std::string start_text(const MissionStart& start) {
@@ -103,11 +120,19 @@ Result<Goal> goal_of(const Building& building, const std::string& text) {
   const std::string verb = text.substr(0, space),
                     rest = space == std::string::npos ? "" : text.substr(space + 1);
   if (verb == "go") return goal_to(building, rest);
+  if (verb == kGoals) {
+    const auto places = nlohmann::json::parse(rest, nullptr, false);
+    const bool are_texts =
+        places.is_array() && !places.empty() &&
+        std::all_of(places.begin(), places.end(), [](const auto& p) { return p.is_string(); });
+    if (are_texts) return goal_through(building, places.get<std::vector<std::string>>());
+  }
   int rounds = 0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), rounds);
   if (verb == "patrol" && error == std::errc() && end == rest.data() + rest.size())
     return patrol_goal(building, rounds);
-  return Problem{{"", 0, "route"}, fmt::format("'{}' is neither 'go PLACE' nor 'patrol ROUNDS'", text)};
+  return Problem{{"", 0, "route"},
+                 fmt::format("'{}' is neither 'go PLACE', 'goals [PLACES]' nor 'patrol ROUNDS'", text)};
 }
 
 }  // namespace
@@ -127,11 +152,33 @@ Problems check_guidable(const Building& building, const VehicleDescription& vehi
 }
 
 Result<Goal> goal_to(const Building& building, const std::string& place) {
-  const auto p_map = find_place(building, place);
-  if (!p_map) return p_map.problems();
-  if (const Zone* zone = keep_out_around(building.zones, *p_map))
-    return Problem{{"", 0, "PLACE"}, fmt::format("'{}' lies in the {}", place, words_for(*zone))};
-  return Goal{{*p_map}, shortest_m(building.corridors, home_of(building).position(), *p_map)};
+  return goal_through(building, {place});
+}
+
+Result<Goal> goal_through(const Building& building, const std::vector<std::string>& places) {
+  Goal goal;
+  goal.is_queue = places.size() > 1;
+  Problems problems;
+  Vec2 p_map_from = home_of(building).position();
+  const auto refuse = [&](Problem problem) {
+    if (goal.is_queue) problem.what = fmt::format("goal {}: {}", goal.places.size() + 1, problem.what);
+    problems.push_back(std::move(problem));
+  };
+  for (const std::string& text : places) {
+    const auto place = find_place(building, text);
+    if (!place) {
+      for (const Problem& problem : place.problems()) refuse(problem);
+      goal.places.emplace_back();
+      continue;
+    }
+    if (const Zone* zone = keep_out_around(building.zones, place->p_map))
+      refuse(place_problem(fmt::format("'{}' lies in the {}", text, words_for(*zone))));
+    goal.shortest_m += shortest_m(building.corridors, p_map_from, place->p_map);
+    goal.places.push_back(*place);
+    p_map_from = place->p_map;
+  }
+  if (!problems.empty()) return problems;
+  return goal;
 }
 
 Result<Goal> patrol_goal(const Building& building, int rounds) {
@@ -146,14 +193,21 @@ Result<Goal> patrol_goal(const Building& building, int rounds) {
   for (int i = 0; i < rounds; ++i) {
     for (const CorridorLeg& leg : round.legs) {
       const Corridor& corridor = graph.corridors[leg.corridor];
-      goal.p_map_places.push_back(corridor.at((leg.from_m + leg.to_m) / 2));
-      goal.p_map_places.push_back(corridor.at(leg.to_m));
+      goal.places.push_back({corridor.at((leg.from_m + leg.to_m) / 2)});
+      goal.places.push_back({corridor.at(leg.to_m)});
     }
   }
-  std::erase_if(goal.p_map_places,
-                [&](const Vec2& p) { return keep_out_around(building.zones, p) != nullptr; });
-  goal.p_map_places.push_back(p_map_home);
+  std::erase_if(goal.places, [&](const GoalPlace& place) {
+    return keep_out_around(building.zones, place.p_map) != nullptr;
+  });
+  goal.places.push_back({p_map_home});
   return goal;
+}
+
+std::string GuideDriver::go_text(const std::vector<std::string>& places) {
+  if (places.size() == 1) return "go " + places.front();
+  return fmt::format("{} {}", kGoals,
+                     nlohmann::json(places).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 SessionOrigin GuideDriver::origin(const GuideNavigatorParams& params, std::string building, std::string goal,
@@ -187,13 +241,13 @@ GuideDriver::GuideDriver(const GuideNavigatorParams& params, const VehicleDescri
     : vehicle_(vehicle),
       building_(std::move(building)),
       goal_(std::move(goal)),
-      navigator_(params, vehicle, building_, home_of(building_), goal_.p_map_places, scanner_scans(vehicle)) {
+      navigator_(params, vehicle, building_, home_of(building_), goal_.places, scanner_scans(vehicle)) {
   if (!start.is_home()) begin_finding(start.T_map_hint);
 }
 
 Decision GuideDriver::step(const Observation& observation) {
   if (finder_) return find(observation);
-  Decision decision = navigator_.step(observation);
+  Decision decision = guide(observation);
   if (!navigator_.is_lost(observation.stamp_s) || observation.bumper_pressed) return decision;
   if (++times_lost_ > kTimesLostMax) {
     decision.why =
@@ -202,6 +256,16 @@ Decision GuideDriver::step(const Observation& observation) {
   }
   begin_finding({});
   return {.state = "lost"};
+}
+
+/// On the way to one of several goals it says to which, and that the others are left out where it fails.
+Decision GuideDriver::guide(const Observation& observation) {
+  Decision decision = navigator_.step(observation);
+  if (!goal_.is_queue || decision.status == NavigatorStatus::kDone) return decision;
+  const std::string which =
+      fmt::format("goal {} of {}", navigator_.places_reached() + 1, goal_.places.size());
+  decision.why = decision.why.empty() ? which : which + ": " + decision.why;
+  return decision;
 }
 
 void GuideDriver::begin_finding(const std::optional<Pose2>& T_map_hint) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
@@ -14,8 +15,9 @@ namespace aisle {
 
 struct GuideOptions {
   std::filesystem::path building;
-  std::string place;  ///< `go`: the goal, a name or "x,y" in the map [m]; empty: the robot's viewer
-  int rounds = 1;     ///< `patrol`
+  /// `go`: the goals in order, names, "x,y" in the map [m] or "x,y,heading_deg"; none: the robot's viewer
+  std::vector<std::string> places;
+  int rounds = 1;                      ///< `patrol`
   std::filesystem::path connection;    ///< a robot's connection file; empty: drives in the simulator
   std::string world;                   ///< world or floor plan: file or shipped name
   double plan_pixel_m = 0.05;          ///< side of a plan's pixel, unless its file gives it
@@ -31,9 +33,9 @@ struct GuideOptions {
   ParameterSources parameters;
 };
 
-/// `aisle go BUILDING PLACE --world WORLD` (or `--connect FILE`): drives to a place in an explored building,
-/// from home or from wherever it finds itself. With a robot and without a place: to the goals of its viewer,
-/// on /goal_pose.
+/// `aisle go BUILDING PLACE... --world WORLD` (or `--connect FILE`): drives to places in an explored
+/// building, one after the other, from home or from wherever it finds itself. It ends at the first that it
+/// cannot reach. With a robot and without a place: to the goals of its viewer, on /goal_pose.
 Result<Outcome> run_go(const GuideOptions& options, Console& console);
 
 /// `aisle patrol BUILDING --world WORLD --rounds N`: drives along all corridors, about once per round, and

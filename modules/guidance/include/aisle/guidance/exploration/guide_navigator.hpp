@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "aisle/guidance/exploration/goal_place.hpp"
 #include "aisle/guidance/exploration/scan_source.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/obstacles/floor_rules.hpp"
@@ -41,21 +42,25 @@ struct GuideNavigatorParams {
 
 /// Localises by the building's walls, plans on the learned floor, updated by what it sees now, and drives to
 /// one place after the other. It detours around obstacles, through other corridors if need be, and around the
-/// building's barriers, and obeys its zones. Where no path is left it waits, and finally gives up.
+/// building's barriers, and obeys its zones. Where no path is left it waits, and finally gives up. At a place
+/// that has a heading it turns to that, where there is room to; else it says how far off it stands.
 class GuideNavigator final : public Navigator {
  public:
+  /// So near to a place's heading it counts as reached.
+  static constexpr double kFacing_rad = 10 * kDegree;
+
   /// @param building       with walls and floor; must outlive the navigator
   /// @param T_map_start    approximate pose of the vehicle
-  /// @param p_map_places   goals, in this order
+  /// @param places         goals, in this order
   /// @throws std::invalid_argument if the building has no floor
   GuideNavigator(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
-                 const Building& building, const Pose2& T_map_start, std::vector<Vec2> p_map_places,
+                 const Building& building, const Pose2& T_map_start, std::vector<GoalPlace> places,
                  std::unique_ptr<ScanSource> sensor);
 
   Decision step(const Observation& observation) override;
 
   /// Other places, instead of those that it has not reached; none: it stands.
-  void send_to(std::vector<Vec2> p_map_places, double stamp_s);
+  void send_to(std::vector<GoalPlace> places, double stamp_s);
   /// It is somewhere else than it believed.
   void relocate(const Pose2& T_map_vehicle, double stamp_s);
   /// The vehicle is here, as somebody has found out. What it saw before may have been elsewhere: the floor is
@@ -67,6 +72,8 @@ class GuideNavigator final : public Navigator {
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const WallLocaliser& localiser() const { return localiser_; }
   std::size_t places_reached() const { return next_; }
+  /// How it stood at the places reached that have a heading.
+  const std::vector<GoalHeading>& headings() const { return headings_; }
   /// How often a path was dropped because it was no longer free.
   std::size_t ways_closed() const { return ways_closed_; }
   /// The path that it follows; empty while it stands.
@@ -81,7 +88,13 @@ class GuideNavigator final : public Navigator {
   void check_path();
   void begin_search();
   void search_path(double stamp_s);
+  void search_again(double stamp_s);
   bool is_at_place(const Pose2& T_map_vehicle) const;
+  double off_heading_rad(const Pose2& T_map_vehicle) const;
+  bool arrive_facing(double stamp_s);
+  void give_up_heading(double stamp_s);
+  void reach_place(double stamp_s);
+  std::string missed_headings() const;
   void drop_path();
   Decision drive(const Observation& observation);
   std::string why_failed(const Observation& observation);
@@ -95,8 +108,12 @@ class GuideNavigator final : public Navigator {
   StagedSearch search_;
   PathDriver driver_;
   FloorRules rules_;
-  std::vector<Vec2> p_map_places_;
-  std::size_t next_ = 0;  ///< index in `p_map_places_`
+  std::vector<GoalPlace> places_;
+  std::size_t next_ = 0;  ///< index in `places_`
+  std::vector<GoalHeading> headings_;
+  int turns_tried_ = 0;            ///< at the place, towards its heading
+  bool has_turned_fully_ = false;  ///< on the spot, to exactly the heading
+  bool ignores_heading_ = false;   ///< until it is at the place: no path to it there was found
   ScanView view_;
   Pose2 T_scan_vehicle_;  ///< since the last scan, by odometry
   Pose2 T_map_vehicle_;

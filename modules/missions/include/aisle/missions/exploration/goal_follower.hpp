@@ -13,14 +13,14 @@ namespace aisle {
 
 /// What people ask of a vehicle while it drives; each function is asked once a cycle, none may be empty.
 struct GoalRequests {
-  std::function<std::optional<Vec2>()> goal;           ///< a new one, in the map
+  std::function<std::optional<GoalPlace>()> goal;      ///< a new one, in the map
   std::function<std::optional<Pose2>()> initial_pose;  ///< where somebody says that the vehicle stands
   std::function<void(const std::string&)> say;
 };
 
 /// Waits for goals and drives to the newest one, by the shortest free way; see GuideNavigator. A goal that is
-/// reached, has no path to it or is not on known free floor is said, and the next one waited for. A stated
-/// pose is believed only if the scans fit the walls there.
+/// reached, with its heading or without, has no path to it or is not on known free floor is said, and the
+/// next one waited for. A stated pose is believed only if the scans fit the walls there.
 class GoalFollower final : public Navigator {
  public:
   /// @param building  a building file's text. The vehicle is believed to be at its home
@@ -51,7 +51,7 @@ class GoalFollower final : public Navigator {
   };
 
   bool is_free(const Vec2& p_map) const;
-  void take_goal(const Vec2& p_map, double stamp_s);
+  void take_goal(const GoalPlace& goal, double stamp_s);
   void begin_check(const Pose2& T_map_stated);
   void check_pose(const Observation& observation);
   Decision waiting(const std::string& because);
@@ -62,7 +62,7 @@ class GoalFollower final : public Navigator {
   GoalRequests requests_;
   GuideNavigator navigator_;
   std::unique_ptr<ScanSource> sensor_;
-  std::optional<Vec2> p_map_goal_;
+  std::optional<GoalPlace> goal_;
   std::optional<PoseCheck> check_;
   std::size_t goals_ = 0;
   std::size_t reached_ = 0;

@@ -26,13 +26,18 @@ struct MissionStart {
 
 /// Where a vehicle is sent in a building.
 struct Goal {
-  std::vector<Vec2> p_map_places;  ///< in order
-  double shortest_m = 0;           ///< length of the shortest path along the corridors, from home
+  std::vector<GoalPlace> places;  ///< in order
+  double shortest_m = 0;          ///< length of the shortest path along the corridors, from home
+  bool is_queue = false;          ///< somebody named each of several places
 };
 
 /// Goal at one place: the name of a place or of a corridor node ("crossing 2", "end 1"), or "x,y" in the map
-/// [m]. An unknown name is a problem that lists the known ones.
+/// [m], or "x,y,heading_deg". An unknown name is a problem that lists the known ones.
 Result<Goal> goal_to(const Building& building, const std::string& place);
+
+/// Goal at one place after the other; the problems are those of all of them.
+/// @param places  as in goal_to(), at least one
+Result<Goal> goal_through(const Building& building, const std::vector<std::string>& places);
 
 /// Goal along all corridors, `rounds` times, and home again.
 Result<Goal> patrol_goal(const Building& building, int rounds);
@@ -45,9 +50,12 @@ class GuideDriver final : public Navigator {
  public:
   static constexpr const char* kName = "guide";  ///< name of the navigator in a session
 
+  /// The goal of a session that drives to these places in order: "go PLACE", or "goals" and a JSON list.
+  static std::string go_text(const std::vector<std::string>& places);
+
   /// What a session records of it. The caller sets the seed.
   /// @param building  the text of a building file
-  /// @param goal    "go PLACE" or "patrol ROUNDS"
+  /// @param goal    from go_text(), or "patrol ROUNDS"
   static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string goal,
                               const MissionStart& start = {});
 
@@ -73,6 +81,7 @@ class GuideDriver final : public Navigator {
 
  private:
   Decision find(const Observation& observation);
+  Decision guide(const Observation& observation);
   void begin_finding(const std::optional<Pose2>& T_map_hint);
 
   VehicleDescription vehicle_;
