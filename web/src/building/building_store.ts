@@ -13,6 +13,9 @@ export class BuildingStore {
   /** Whether plans show the chosen building instead of the vehicle's map. */
   readonly is_shown = new Signal(false);
 
+  /** Whether a drag on them gives a goal with its heading. */
+  readonly takes_goals = new Signal(false);
+
   constructor(private readonly app: App) {
     keep_fresh(app, "building", () => this.refresh());
   }

@@ -1,6 +1,9 @@
 import type { LiveConnection } from "./live_connection";
 import { Signal } from "../page/signal";
 
+/** Where a vehicle is sent: an item of `goals` of `mission/go`. */
+export type GoalRequest = { place: string } | { x_m: number; y_m: number; heading_deg?: number };
+
 /** What the server is doing: the JSON of /live/state. */
 export interface LiveState {
   /** `ended`: the watched mission is over, and its program will be gone. */
@@ -26,6 +29,8 @@ export interface LiveState {
   session: string;
   /** There is a folder for what missions learn. */
   keeps_buildings?: boolean;
+  /** Of the mission, in order; absent: at most one. */
+  goals?: GoalRequest[];
   last?: { mission: string; ok: boolean; text: string; problems: string[] };
   replay?: { session: string; from_s: number; to_s: number; at_s: number; playing: boolean; rate: number };
 }

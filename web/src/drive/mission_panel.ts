@@ -34,6 +34,7 @@ export function mission_panel(
     set_text(start, form.begin);
     place.replaceChildren(...fields.elements);
     store.is_shown.value = needs_building();
+    store.takes_goals.value = form.mission === "go";
   };
   const chooser = select(
     text.mission.title,

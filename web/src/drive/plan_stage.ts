@@ -4,33 +4,43 @@ import { element, tick } from "../page/element";
 import { building_points } from "../plan/building_geometry";
 import { building_layer } from "../plan/building_layer";
 import { bounds_of } from "../plan/geometry";
-import type { Bounds } from "../plan/geometry";
+import type { Bounds, Point } from "../plan/geometry";
 import { shown_live, shown_of_building } from "../plan/legend";
 import { live_layers } from "../plan/live_layers";
 import { PlanCanvas } from "../plan/plan_canvas";
 import type { Layer } from "../plan/plan_canvas";
 import { text } from "../text";
-import { Goal } from "./goal";
+import { Goals } from "./goal";
+import { goals_layer } from "./goals_layer";
 
 /**
  * The plan of the vehicle's map and motion, and the switches of its layers. While a mission in a building is being
- * chosen, the plan shows that building, and a click picks a goal. The two are never mixed: a waiting vehicle does not
+ * chosen, the plan shows that building, and clicks pick goals. The two are never mixed: a waiting vehicle does not
  * know its pose in the building.
  */
 export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement; layers: HTMLElement } {
   const canvas = new PlanCanvas(text.plan.name);
   const plan = app.plan;
   plan.watch(() => canvas.redraw());
-  const goal = new Goal(app, store, () => canvas.redraw());
-  const layers = live_layers(plan);
+  const goals = new Goals(
+    app,
+    store,
+    () => canvas.view.scale_px_per_m,
+    () => canvas.redraw(),
+  );
+  const layers = { ...live_layers(plan), goals: goals_layer(app) };
   const hidden = new Set<string>();
   let building: Layer | undefined;
   let building_extent: Bounds | undefined;
 
   const is_building = () => store.is_shown.value && building !== undefined;
+  const click = (at: Point, adds: boolean) => goals.click(at, adds);
+  const drag = (...drawn: Parameters<Goals["drag"]>) => goals.drag(...drawn);
+  const cancel = () => goals.cancel();
   const arrange = () => {
     const live = Object.entries(layers).flatMap(([name, layer]) => (hidden.has(name) ? [] : [layer]));
-    canvas.layers = is_building() && building ? [building, goal.layer] : live;
+    canvas.layers = is_building() && building ? [building, goals.layer] : live;
+    canvas.tool = is_building() && store.takes_goals.value ? { click, drag, cancel } : { click };
     canvas.redraw();
   };
   canvas.extent = () => (is_building() ? building_extent : bounds_of(plan.points()));
@@ -45,7 +55,6 @@ export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement;
     return chosen ? shown_of_building(chosen) : shown_live(plan, (layer) => hidden.has(layer));
   };
   canvas.subject = () => (is_building() ? store.chosen.value : (app.state.value?.world ?? ""));
-  canvas.tool = { click: (at) => goal.pick(at) };
 
   const toggles = Object.keys(layers).map((name) =>
     tick(name, true, (shown) => {
@@ -59,15 +68,19 @@ export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement;
     building = chosen && building_layer(chosen);
     building_extent = chosen && bounds_of(building_points(chosen));
     building_toggle.hidden = chosen === undefined;
-    goal.clear();
+    goals.clear();
     canvas.refit();
     arrange();
   });
   store.is_shown.watch((shown) => {
     (building_toggle.firstElementChild as HTMLInputElement).checked = shown;
-    if (!shown) goal.clear();
+    if (!shown) goals.clear();
     canvas.refit();
     arrange();
+  });
+  store.takes_goals.watch(arrange);
+  app.state.watch((state) => {
+    if (state?.goals) canvas.redraw();
   });
   const switches = element(
     "div",
@@ -75,5 +88,5 @@ export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement;
     ...toggles,
     building_toggle,
   );
-  return { plan: element("div", { class: "plan-box" }, canvas.element, goal.element), layers: switches };
+  return { plan: element("div", { class: "plan-box" }, canvas.element, goals.element), layers: switches };
 }

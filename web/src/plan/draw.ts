@@ -100,6 +100,33 @@ export function draw_name(context: Context, view: PlanView, at: Point, name: str
   draw_caption(context, { x: x + 8, y: y - 8 }, name);
 }
 
+/** A goal with its number, and an arrow where the vehicle is to face there. */
+export function draw_goal(
+  context: Context,
+  view: PlanView,
+  goal: Point & { heading_deg?: number },
+  number: string,
+  arrow_px: number,
+): void {
+  const at = view.to_screen(goal);
+  if (goal.heading_deg !== undefined) {
+    const heading_rad = (goal.heading_deg * Math.PI) / 180;
+    const pose: Pose = { ...goal, heading_rad };
+    const along = (ahead_px: number, left_px: number) =>
+      moved_by(pose, { x: ahead_px / view.scale_px_per_m, y: left_px / view.scale_px_per_m });
+    const arrow = [along(0, 0), along(arrow_px, 0)];
+    const head = [along(arrow_px - 9, 7), along(arrow_px, 0), along(arrow_px - 9, -7)];
+    for (const line of [arrow, head]) draw_line(context, view, line, { colour: colour("path"), width_px: 3 });
+  }
+  draw_dots(context, view, [goal], colour("path"), number === "" ? 7 : 10);
+  context.font = "bold 12px system-ui, sans-serif";
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillStyle = colour("sheet");
+  context.fillText(number, at.x, at.y + 1);
+  context.textAlign = "start";
+}
+
 /** Strokes the traced outline in the vehicle's colour and fills it faintly. */
 function draw_tinted(context: Context, { opacity, width_px }: { opacity: number; width_px: number }): void {
   context.globalAlpha = opacity;

@@ -18,10 +18,11 @@ export type Layer = (context: CanvasRenderingContext2D, view: PlanView) => void;
 
 /** What clicks and drags on the plan do, in map coordinates [m]; without `drag`, a drag moves the plan. */
 export interface PlanTool {
-  click?(at: Point): void;
+  /** @param adds  with Shift: to what was clicked before */
+  click?(at: Point, adds: boolean): void;
   /** undefined: the mouse leaves. */
   hover?(at: Point | undefined): void;
-  drag?(from: Point, to: Point, ended: boolean): void;
+  drag?(from: Point, to: Point, ended: boolean, adds: boolean): void;
   /** The drag did not happen. */
   cancel?(): void;
 }
@@ -87,12 +88,12 @@ export class PlanCanvas {
     watch_pointers(this.#canvas, {
       pan: (right, down) => this.#pan(right, down),
       zoom: (factor, at) => this.#zoom(factor, at),
-      click: (at) => this.#tool.click?.(this.view.to_map(at)),
+      click: (at, adds) => this.#tool.click?.(this.view.to_map(at), adds),
       hover: (at) => this.#point(at && this.view.to_map(at)),
       cancel_drag: () => this.#tool.cancel?.(),
-      drag: (from, to, ended) => {
+      drag: (from, to, ended, adds) => {
         if (!this.#tool.drag) return false;
-        this.#tool.drag(this.view.to_map(from), this.view.to_map(to), ended);
+        this.#tool.drag(this.view.to_map(from), this.view.to_map(to), ended, adds);
         return true;
       },
     });
@@ -226,7 +227,7 @@ export class PlanCanvas {
     if (event.key === "+" || event.key === "=") this.#zoom_middle(1.4);
     else if (event.key === "-") this.#zoom_middle(1 / 1.4);
     else if (event.key === "0") this.#fit_again();
-    else if (event.key === "Enter") this.#tool.click?.(this.view.middle);
+    else if (event.key === "Enter") this.#tool.click?.(this.view.middle, event.shiftKey);
     else if (event.key === "Backspace" && this.#measures) this.#ruler.take_back();
     else if (event.key in pan_keys) this.#pan(...(pan_keys[event.key] as [number, number]));
     else return;

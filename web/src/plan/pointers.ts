@@ -7,11 +7,12 @@ const click_within_px = 6;
 export interface PointerActions {
   pan(right: number, down: number): void;
   zoom(factor: number, at: Point): void;
-  click(at: Point): void;
+  /** @param adds  Shift is held */
+  click(at: Point, adds: boolean): void;
   /** The mouse moves without a button; undefined: it leaves. */
   hover(at: Point | undefined): void;
   /** @returns false: the drag is not handled, so it pans */
-  drag(from: Point, to: Point, ended: boolean): boolean;
+  drag(from: Point, to: Point, ended: boolean, adds: boolean): boolean;
   /** The drag became a gesture of two fingers: it did not happen. */
   cancel_drag(): void;
 }
@@ -21,11 +22,14 @@ function middle(points: Point[]): Point {
   return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
 }
 
-/** One pointer clicks or drags; two always move and zoom, until all are lifted. */
+const middle_button = 1;
+
+/** One pointer clicks or drags; two, and the mouse's middle button, always move, until all are lifted. */
 export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerActions): void {
   const down = new Map<number, Point>();
   let began: Point | undefined;
   let moved = false;
+  let pans = false;
 
   const place = (event: MouseEvent): Point => {
     const box = canvas.getBoundingClientRect();
@@ -43,8 +47,8 @@ export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerAction
   const end = (event: PointerEvent, is_cancelled: boolean) => {
     if (!down.delete(event.pointerId) || down.size > 0) return;
     if (began && is_cancelled) actions.cancel_drag();
-    else if (began && moved) actions.drag(began, place(event), true);
-    else if (began) actions.click(place(event));
+    else if (began && moved && !pans) actions.drag(began, place(event), true, event.shiftKey);
+    else if (began && !pans) actions.click(place(event), event.shiftKey);
     began = undefined;
   };
 
@@ -57,6 +61,7 @@ export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerAction
     } else {
       began = place(event);
       moved = false;
+      pans = event.button === middle_button;
     }
   });
   canvas.addEventListener("pointermove", (event) => {
@@ -70,7 +75,7 @@ export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerAction
     else if (began && (moved || distance(began, to) > click_within_px)) {
       moved = true;
       down.set(event.pointerId, to);
-      if (!actions.drag(began, to, false)) actions.pan(to.x - from.x, to.y - from.y);
+      if (pans || !actions.drag(began, to, false, event.shiftKey)) actions.pan(to.x - from.x, to.y - from.y);
     } else if (!began) down.set(event.pointerId, to);
   });
   canvas.addEventListener("pointerleave", ({ pointerType }) => {

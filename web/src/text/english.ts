@@ -115,7 +115,8 @@ export const english = {
     go: {
       label: "Go to a place",
       begin: "Go",
-      about: "Drives to a place of the building. You can also click a point on the plan.",
+      about:
+        "Drives to a place of the building. You can also click a point on the plan, or drag from it to where the vehicle is to face: it drives when you let go. Shift and click adds goals, driven in order.",
     },
     patrol: { label: "Patrol", begin: "Patrol", about: "Drives to all places of the building in turn." },
     park: { label: "Park", begin: "Park", about: "Parks precisely at a place." },
@@ -160,7 +161,14 @@ export const english = {
     no_building:
       "To send the vehicle to a point, choose “Go to a place” under Mission and click the point in the building",
     go: "Go there",
+    add: "Add",
+    add_hint: "Adds it to the goals that are driven to in order; Shift and a click do the same.",
     cancel: "Cancel",
+    queue: "Goals in order",
+    drive_queue: "Drive in order",
+    clear_queue: "Clear",
+    remove_goal: (number: number) => `Remove goal ${number}`,
+    facing: (degrees: number) => `facing ${degrees}°`,
     goal: (position: string, building: string) => `${position} in ${building}`,
     more: "More",
     measure: "Measure",

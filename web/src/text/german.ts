@@ -131,7 +131,8 @@ export const german: typeof english = {
     go: {
       label: "Zu einem Ort fahren",
       begin: "Losfahren",
-      about: "Fährt zu einem Ort des Gebäudes. Sie können auch einen Punkt im Plan anklicken.",
+      about:
+        "Fährt zu einem Ort des Gebäudes. Sie können auch einen Punkt im Plan anklicken oder von ihm dorthin ziehen, wohin das Fahrzeug schauen soll: Es fährt, sobald Sie loslassen. Umschalttaste und Klick fügt Ziele hinzu, die der Reihe nach angefahren werden.",
     },
     patrol: {
       label: "Rundfahrt",
@@ -180,7 +181,14 @@ export const german: typeof english = {
     no_building:
       "Um das Fahrzeug zu einem Punkt zu schicken, wählen Sie unter Auftrag „Zu einem Ort fahren“ und klicken Sie den Punkt im Gebäude an",
     go: "Dorthin fahren",
+    add: "Hinzufügen",
+    add_hint: "Fügt es den Zielen hinzu, die der Reihe nach angefahren werden, wie Umschalttaste und Klick.",
     cancel: "Abbrechen",
+    queue: "Ziele der Reihe nach",
+    drive_queue: "Der Reihe nach fahren",
+    clear_queue: "Leeren",
+    remove_goal: (number) => `Ziel ${number} entfernen`,
+    facing: (degrees) => `Richtung ${degrees}°`,
     goal: (position, building) => `${position} in ${building}`,
     more: "Mehr",
     measure: "Messen",

@@ -1,0 +1,22 @@
+import type { GoalRequest } from "../connection/live_state";
+import type { App } from "../page/app";
+import { draw_goal } from "../plan/draw";
+import type { Point } from "../plan/geometry";
+import type { Layer } from "../plan/plan_canvas";
+
+const arrow_px = 26;
+
+/** The goals of the mission that runs, with their numbers. */
+export function goals_layer(app: App): Layer {
+  const at = (goal: GoalRequest): (Point & { heading_deg?: number }) | undefined => {
+    if ("x_m" in goal) return { ...goal, x: goal.x_m, y: goal.y_m };
+    const marks = [...app.plan.marks.values()];
+    return marks.find(({ namespace, text }) => namespace === "places" && text === goal.place)?.points[0];
+  };
+  return (context, view) => {
+    (app.state.value?.goals ?? []).forEach((goal, index) => {
+      const place = at(goal);
+      if (place) draw_goal(context, view, place, String(index + 1), arrow_px);
+    });
+  };
+}

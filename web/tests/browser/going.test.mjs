@@ -1,0 +1,99 @@
+// A simulated vehicle is sent about on the plan: `aisle live` in a building that was explored.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+
+import { keep_screenshot, open_browser, open_page, until } from "./browser.mjs";
+import { Watcher, hold, start_live } from "./watcher.mjs";
+
+/** A mission of half a minute, at twice the speed of time, on a slow machine. */
+const driven_ms = 180000;
+
+let browser, server, watcher, directory, page;
+
+before(async () => {
+  browser = await open_browser();
+  directory = mkdtempSync(join(tmpdir(), "aisle-going-"));
+  const vehicle = ["--vehicle", "turtlebot"];
+  const explored = join(directory, "explored");
+  execFileSync(process.env.AISLE, ["explore", "l-corridor", ...vehicle, "--out", explored]);
+  mkdirSync(join(directory, "buildings"));
+  copyFileSync(join(explored, "building.json"), join(directory, "buildings", "floor.json"));
+  server = await start_live("l-corridor", directory, ...vehicle, "--rate", "2");
+  watcher = new Watcher(server.address, ["/pose", "/cmd_vel"]);
+});
+after(async () => {
+  await browser.close();
+  watcher?.close();
+  if (server) assert.equal(await server.stop(), 130);
+  rmSync(directory, { recursive: true });
+});
+beforeEach(async () => {
+  page = await open_page(browser, `${server.address}#drive/go`);
+  await page.locator('.mission-panel option[value="home"]').waitFor({ state: "attached" });
+  await page.getByText(/l-corridor: waiting/).waitFor();
+});
+afterEach(async () => {
+  const { errors } = page;
+  await page.context().close();
+  assert.deepEqual(errors, []);
+});
+
+/** Where on the screen a point of the map is, by what the plan says under the mouse at two places. */
+async function screen_of(x_m, y_m) {
+  const box = await page.locator(".drive-tab .stage .plan canvas").boundingBox();
+  const readout = page.locator(".drive-tab .plan-readout span").last();
+  const read = async (x, y) => {
+    await page.mouse.move(x, y);
+    await readout.waitFor();
+    const [, right, up] = /^(-?[\d.]+), (-?[\d.]+) m$/.exec(await readout.textContent());
+    return { x, y, x_m: Number(right), y_m: Number(up) };
+  };
+  const a = await read(box.x + box.width * 0.4, box.y + box.height * 0.3);
+  const b = await read(box.x + box.width * 0.9, box.y + box.height * 0.8);
+  return {
+    x: a.x + ((x_m - a.x_m) * (b.x - a.x)) / (b.x_m - a.x_m),
+    y: a.y + ((y_m - a.y_m) * (b.y - a.y)) / (b.y_m - a.y_m),
+  };
+}
+
+function pose() {
+  const { position, orientation } = watcher.latest("/pose").message.pose.pose;
+  return { x: position.x, y: position.y, heading_rad: 2 * Math.atan2(orientation.z, orientation.w) };
+}
+
+test("A drag on the plan sends it there, and it turns to where the drag ended", async () => {
+  const [from, to] = [await screen_of(2.5, 0), await screen_of(2.5, 3)];
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps: 5 });
+  await page.mouse.up();
+  await page.getByText("Last: go done.").waitFor({ timeout: driven_ms });
+  const { x, y, heading_rad } = pose();
+  assert.ok(Math.hypot(x - 2.5, y) < 0.8, `${x}, ${y}`);
+  assert.ok(Math.abs(heading_rad - Math.PI / 2) < 0.2, `${heading_rad} rad`);
+});
+
+test("A queue is driven in order, is stopped, and goes on", async () => {
+  await page.keyboard.down("Shift");
+  for (const x of [2, 0.5]) {
+    const at = await screen_of(x, 0);
+    await page.mouse.click(at.x, at.y);
+  }
+  await page.keyboard.up("Shift");
+  watcher.received = [];
+  await page.getByRole("button", { name: "Drive in order" }).click();
+  await until(() => watcher.state?.goals?.length === 2, "the mission has two goals");
+  await until(() => watcher.latest("/pose") && pose().x > 0.3, "it drives");
+  await page.keyboard.press("Escape");
+  await page.getByText("go, held").waitFor();
+  await until(() => watcher.speed_mps() === 0, "the command to stand");
+  await keep_screenshot(page, "going-held-dark");
+  await hold(page, "Resume");
+  await page.getByText("Last: go done.").waitFor({ timeout: driven_ms });
+  assert.ok(Math.abs(pose().x - 0.5) < 0.8, `${pose().x}`);
+  await until(() => watcher.state.goals === undefined, "no goals are left");
+});
