@@ -3,7 +3,7 @@
 import { distance, distance_to_segment, rectangle } from "../plan/geometry";
 import type { Point } from "../plan/geometry";
 import { point_of, zone_edges, zone_outline } from "../plan/building_geometry";
-import type { Barrier, Building, Pair, Zone } from "./building_file";
+import type { Barrier, Building, Pair, Place, Zone } from "./building_file";
 import { with_line } from "./floor_cells";
 
 function pair({ x, y }: Point): Pair {
@@ -12,12 +12,27 @@ function pair({ x, y }: Point): Pair {
 }
 
 /** @throws Error where the name is taken, missing or too long */
-export function with_place(building: Building, name: string, at: Point, heading_deg: number): Building {
-  const places = building.places ?? [];
+function check_name(places: readonly Place[], name: string): void {
   if (name === "") throw new Error("a place needs a name");
   if (new TextEncoder().encode(name).length > 200) throw new Error("a place's name has at most 200 bytes");
   if (places.some((place) => place.name === name)) throw new Error(`there is a place named ${name} already`);
+}
+
+/** @throws Error as check_name */
+export function with_place(building: Building, name: string, at: Point, heading_deg: number): Building {
+  const places = building.places ?? [];
+  check_name(places, name);
   return { ...building, places: [...places, { name, at_m: pair(at), heading_deg }] };
+}
+
+/** @throws Error as check_name */
+export function renamed_place(building: Building, name: string, other: string): Building {
+  const places = building.places ?? [];
+  check_name(places, other);
+  return {
+    ...building,
+    places: places.map((place) => (place.name === name ? { ...place, name: other } : place)),
+  };
 }
 
 export function without_place(building: Building, name: string): Building {

@@ -9,7 +9,7 @@ import { building_layer } from "../plan/building_layer";
 import { bounds_of } from "../plan/geometry";
 import { shown_of_building } from "../plan/legend";
 import { PlanCanvas } from "../plan/plan_canvas";
-import { with_place, without_place } from "./building_edits";
+import { renamed_place, with_place, without_place } from "./building_edits";
 import type { Building } from "./building_file";
 import { BuildingStore } from "./building_store";
 import { BuildingTools, tool_labels } from "./building_tools";
@@ -44,16 +44,17 @@ export function building_tab(app: App): Tab {
     edit: (change) => edit(change),
     marked: (part) => set_text(hint, part ? words.again(words.parts[part.list]) : tool_hint),
     zone_speed_mps: () => Number(zone_speed.value),
+    miss_room: () => app.notices.show(words.no_room, "trouble"),
     pick_place: (heading_deg) => {
-      naming.hidden = false;
       if (heading_deg !== undefined) heading.value = String(heading_deg);
-      name.focus();
+      begin_naming(undefined);
     },
   });
   const edit = (change: (building: Building) => Building): boolean => {
     if (!history) return false;
     try {
-      history.put(change(history.present));
+      const changed = change(history.present);
+      if (changed !== history.present) history.put(changed);
     } catch (problem) {
       app.notices.show((problem as Error).message, "trouble");
       return false;
@@ -82,15 +83,28 @@ export function building_tab(app: App): Tab {
     "aria-label": words.zone_speed,
   });
   const slow = element("label", { class: "tick", hidden: true }, zone_speed, element("span", {}, "m/s"));
-  const put_place = () => {
-    const at = tools.place;
-    if (!at || !edit((building) => with_place(building, name.value.trim(), at, Number(heading.value))))
-      return;
+  /** The place that gets another name; undefined: a new one is named. */
+  let renamed: string | undefined;
+  const begin_naming = (place: string | undefined) => {
+    renamed = place;
+    naming.hidden = false;
+    facing.hidden = place !== undefined;
+    name.focus();
+  };
+  const named = (building: Building): Building => {
+    const word = name.value.trim();
+    if (renamed === word) return building;
+    if (renamed !== undefined) return renamed_place(building, renamed, word);
+    return tools.place ? with_place(building, word, tools.place, Number(heading.value)) : building;
+  };
+  const put_name = () => {
+    if (!edit(named)) return;
     tools.place = undefined;
     naming.hidden = true;
     name.value = "";
     canvas.redraw();
   };
+  const facing = element("label", { class: "tick" }, heading, element("span", {}, "°"));
   const naming = element(
     "form",
     {
@@ -98,11 +112,11 @@ export function building_tab(app: App): Tab {
       hidden: true,
       onsubmit: (event: SubmitEvent) => {
         event.preventDefault();
-        put_place();
+        put_name();
       },
     },
     name,
-    element("label", { class: "tick" }, heading, element("span", {}, "°")),
+    facing,
     element("button", { type: "submit", class: "primary" }, words.name_it),
   );
   const places = element("ul", { class: "places" });
@@ -157,11 +171,19 @@ export function building_tab(app: App): Tab {
     places.replaceChildren(...(building?.places ?? []).map((place) => place_line(place.name)));
     canvas.redraw();
   };
+  const ask_name = (place: string) => {
+    tools.place = undefined;
+    canvas.redraw();
+    begin_naming(place);
+    name.value = place;
+    name.select();
+  };
   const place_line = (place: string) =>
     element(
       "li",
       {},
       element("span", {}, place),
+      button(words.rename, () => ask_name(place), { "aria-label": words.rename_place(place) }),
       button(words.remove, () => void edit((building) => without_place(building, place)), {
         "aria-label": words.remove_place(place),
       }),

@@ -14,8 +14,9 @@ import {
 } from "./building_edits";
 import type { FoundPart } from "./building_edits";
 import type { Building, Zone } from "./building_file";
+import { room_middle } from "./room_middle";
 
-export type ToolName = "look" | "place" | "delete" | LineToolName;
+export type ToolName = "look" | "place" | "room" | "delete" | LineToolName;
 
 type LineToolName = "keep_out" | "glass" | "keep_out_zone" | "slow_zone" | "one_way_zone" | "clear";
 
@@ -31,6 +32,8 @@ interface Editing {
   edit(change: (building: Building) => Building): void;
   /** A position was clicked or, with a heading, dragged from. */
   pick_place(heading_deg: number | undefined): void;
+  /** No free floor is known where a room was clicked. */
+  miss_room(): void;
   /** Of the next slow zone. */
   zone_speed_mps(): number;
 }
@@ -101,6 +104,7 @@ export class BuildingTools {
         cancel: () => this.#place_at([], false),
       };
     }
+    if (name === "room") return { click: (at) => this.#room_at(at) };
     if (name === "delete")
       return {
         click: (at) => this.#delete(at),
@@ -126,6 +130,14 @@ export class BuildingTools {
     [this.place, this.#headed] = drawn;
     if (ended && this.place) this.editing.pick_place(this.#headed && direction_deg(this.place, this.#headed));
     this.canvas.redraw();
+  }
+
+  /** A room's name is a place in its middle. */
+  #room_at(at: Point): void {
+    const floor = this.editing.building()?.floor;
+    const middle = floor && room_middle(floor, at);
+    if (middle) this.#place_at([middle], true);
+    else this.editing.miss_room();
   }
 
   #found(at: Point): FoundPart | undefined {

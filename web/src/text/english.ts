@@ -315,12 +315,19 @@ export const english = {
     places: "Places",
     remove: "Delete",
     remove_place: (name: string) => `Delete the place ${name}`,
+    rename: "Rename",
+    rename_place: (name: string) => `Rename the place ${name}`,
+    no_room: "No free floor is known there.",
     again: (what: string) => `Click the marked ${what} again to delete it.`,
     tools: {
       look: { label: "Look", hint: "Drag to move the plan, scroll or pinch to zoom." },
       place: {
         label: "Name a place",
         hint: "Click its position, or drag from there to where it faces, then name it.",
+      },
+      room: {
+        label: "Name a room",
+        hint: "Click into a room, then name it: the name is put where the room has most space, and the vehicle can be sent there.",
       },
       delete: {
         label: "Delete",

@@ -335,12 +335,19 @@ export const german: typeof english = {
     places: "Orte",
     remove: "Löschen",
     remove_place: (name) => `Den Ort ${name} löschen`,
+    rename: "Umbenennen",
+    rename_place: (name) => `Den Ort ${name} umbenennen`,
+    no_room: "Dort ist kein freier Boden bekannt.",
     again: (what) => `Zum Löschen noch einmal anklicken, was markiert ist: ${what}.`,
     tools: {
       look: { label: "Ansehen", hint: "Ziehen verschiebt den Plan, Rad oder zwei Finger vergrößern." },
       place: {
         label: "Ort benennen",
         hint: "Klicken Sie seine Stelle an, oder ziehen Sie von dort in seine Richtung, und benennen Sie ihn.",
+      },
+      room: {
+        label: "Raum benennen",
+        hint: "Klicken Sie in einen Raum und benennen Sie ihn: Der Name steht, wo der Raum am meisten Platz hat, und das Fahrzeug kann dorthin geschickt werden.",
       },
       delete: {
         label: "Löschen",

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 
-import { until } from "./browser.mjs";
+import { keep_screenshot, until } from "./browser.mjs";
 import { give_building, open_touch, with_fake_page } from "./fake_page.mjs";
 
 const given = with_fake_page();
@@ -110,6 +110,30 @@ test("A slow zone is drawn with its speed, and a one-way zone the way it was dra
       ["one_way", undefined, 180],
     ],
   );
+});
+
+test("A room is named where it has most space, and its place gets another name", async () => {
+  const middle = await open_editor(page);
+  await page.getByLabel("Tool").selectOption("room");
+  await page.mouse.click(middle.x + 70, middle.y - 50);
+  await page.getByLabel("Name of the place").fill("hall");
+  await page.getByRole("button", { name: "Name it" }).click();
+  await page.getByText("2 places").waitFor();
+  await page.getByRole("button", { name: "Rename the place hall" }).click();
+  assert.equal(await page.getByLabel("Heading in degrees").isVisible(), false);
+  await page.getByLabel("Name of the place").fill("desk");
+  await page.getByRole("button", { name: "Name it" }).click();
+  await page.getByText("there is a place named desk already").waitFor();
+  await page.getByLabel("Name of the place").fill("great hall");
+  await page.getByRole("button", { name: "Name it" }).click();
+  await page.getByRole("button", { name: "Delete the place great hall" }).waitFor();
+  await keep_screenshot(page, "editor-room-dark");
+  await page.getByRole("button", { name: "Save as a new version" }).click();
+  await page.getByText("Saved as attic-2").waitFor();
+  const [desk, hall] = vehicle.posts[0].body.places;
+  assert.equal(desk.name, "desk");
+  assert.equal(hall.name, "great hall");
+  assert.ok(hall.at_m[0] > 3.4 && hall.at_m[0] < 6.6 && Math.abs(hall.at_m[1]) < 0.6, String(hall.at_m));
 });
 
 test("Under a finger, what will be deleted is shown first", async () => {

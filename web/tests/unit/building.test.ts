@@ -4,6 +4,7 @@ import { test } from "node:test";
 import {
   nearest_part,
   part_points,
+  renamed_place,
   with_barrier,
   with_cleared,
   with_place,
@@ -12,8 +13,9 @@ import {
   without_place,
 } from "../../src/building/building_edits";
 import { building_of } from "../../src/building/building_file";
-import type { Building, Pair } from "../../src/building/building_file";
+import type { Building, Floor, Pair } from "../../src/building/building_file";
 import { pack_row, unpack_row } from "../../src/building/floor_cells";
+import { room_middle } from "../../src/building/room_middle";
 import { UndoList } from "../../src/page/undo_list";
 
 const building: Building = {
@@ -141,4 +143,49 @@ test("Undo takes back a stroke, redo restores it, and a new stroke drops what wa
   history.put("d");
   assert.equal(history.can_redo, false);
   assert.equal(history.present, "d");
+});
+
+test("A place gets another name, which nothing else has", () => {
+  const made = with_place(with_place(building, "desk", { x: 1, y: 2 }, 90), "lift", { x: 2, y: 2 }, 0);
+  const renamed = renamed_place(made, "desk", "office");
+  assert.deepEqual(renamed.places?.[0], { name: "office", at_m: [1, 2], heading_deg: 90 });
+  assert.throws(() => renamed_place(made, "desk", "lift"), /already/);
+  assert.throws(() => renamed_place(made, "desk", ""), /needs a name/);
+});
+
+/** Two rooms of 4 m by 3 m with a door of 1 m between, over a corridor of 1 m; cells of 0.1 m from (-1, 2) on. */
+function two_rooms(): Floor {
+  const corridor = Array<string>(10).fill("81.");
+  const wall = "81#";
+  const rooms = Array.from({ length: 30 }, (_, row) => (row < 10 ? "81." : "40.1#40."));
+  return { cell_m: 0.1, low_cell: [-10, 20], rows: [...corridor, wall, ...rooms] };
+}
+
+test("A room's middle is where it has most space, wherever in the room it was asked for", () => {
+  const floor = two_rooms();
+  for (const at of [
+    { x: -0.95, y: 3.15 },
+    { x: 0.5, y: 5.5 },
+    { x: 2.8, y: 5.9 },
+  ]) {
+    const middle = room_middle(floor, at);
+    assert.ok(middle && middle.x > 0 && middle.x < 2.2, JSON.stringify(middle));
+    assert.ok(Math.abs(middle.y - 4.6) < 0.15, JSON.stringify(middle));
+  }
+  const right = room_middle(floor, { x: 7, y: 5.9 });
+  assert.ok(right && right.x > 4.1);
+  const corridor = room_middle(floor, { x: 5, y: 2.05 });
+  assert.ok(corridor && Math.abs(corridor.x - 5) < 0.6 && Math.abs(corridor.y - 2.5) < 0.11);
+});
+
+test("Where no free floor is known there is no room", () => {
+  const floor = two_rooms();
+  for (const at of [
+    { x: 5, y: 3.05 },
+    { x: -1.05, y: 2.5 },
+    { x: -9, y: 2.5 },
+    { x: 0, y: 1.9 },
+    { x: 0, y: 60 },
+  ])
+    assert.equal(room_middle(floor, at), undefined, JSON.stringify(at));
 });
