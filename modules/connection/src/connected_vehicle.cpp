@@ -74,6 +74,13 @@ class ConnectedVehicle::Cycle {
     }
   }
 
+  std::optional<Battery> battery() const {
+    const auto lock = intake_->lock();
+    const RobotState& state = intake_->state();
+    if (!state.charge) return std::nullopt;
+    return Battery{*state.charge, surroundings_.clock.now_s() - state.charge_arrived_s};
+  }
+
   ConnectionCounts counts() const {
     const auto lock = intake_->lock();
     ConnectionCounts counts = intake_->state().counts;
@@ -249,6 +256,10 @@ void ConnectedVehicle::fall_silent(bool is_silent) {
 
 const ConnectedVehicle::Odometry& ConnectedVehicle::odometry() const {
   return cycle_->odometry();
+}
+
+std::optional<ConnectedVehicle::Battery> ConnectedVehicle::battery() const {
+  return cycle_->battery();
 }
 
 Arc ConnectedVehicle::commanded() const {

@@ -173,7 +173,10 @@ bool RobotIntake::take_fixed_transforms(const ros::TFMessage& message) {
 }
 
 bool RobotIntake::take_battery(const ros::BatteryState& message) {
-  if (message.percentage >= 0 && message.percentage <= 1) state_.charge = message.percentage;
+  if (message.percentage >= 0 && message.percentage <= 1) {
+    state_.charge = message.percentage;
+    state_.charge_arrived_s = clock_.now_s();
+  }
   return true;  // NaN: unknown
 }
 

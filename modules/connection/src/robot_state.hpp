@@ -74,6 +74,7 @@ struct RobotState {
   std::vector<SwitchState> emergency_stops;  ///< as in the connection
   std::optional<Joystick> joystick;          ///< none: nobody drives by one
   std::optional<double> charge;              ///< of the battery, 0 to 1
+  double charge_arrived_s = kNever_s;        ///< by aisle's own clock
   std::optional<double> ros_clock_s;
   double ros_clock_skipped_s = 0;  ///< in jumps ahead, which are no time that passed
   double clock_arrived_s = kNever_s;

@@ -16,7 +16,9 @@ namespace aisle {
 namespace {
 
 constexpr const char* kTransforms = "/tf";
-constexpr std::size_t kOwnKept = 50;  // of transforms, which come back over the network
+constexpr ros::Stamp_ns kBatteryEvery_ns = 2'000'000'000;
+constexpr double kBatteryNews_s = 60;  // some robots speak of it seldom
+constexpr std::size_t kOwnKept = 50;   // of transforms, which come back over the network
 
 Pose2 pose_of(const ros::Pose& pose) {
   return {pose.position.x, pose.position.y, 2 * std::atan2(pose.orientation.z, pose.orientation.w)};
@@ -51,7 +53,10 @@ RobotViewer::RobotViewer(Wire& wire, const Connection& connection, const Connect
 }
 
 void RobotViewer::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {
-  if (next_ != nullptr) next_->take(topic, stamp, cdr);
+  if (next_ != nullptr) {
+    pass_battery_on(stamp);
+    next_->take(topic, stamp, cdr);
+  }
   const ros::Stamp_ns now = vehicle_.odometry().stamp;
   if (topic == grid_topic()) {
     publish(topic, connection_.topic("map"), restamped<ros::OccupancyGrid>(cdr, now));
@@ -60,6 +65,16 @@ void RobotViewer::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::stri
   } else if (topic == pose_topic()) {
     publish_pose(cdr);
   }
+}
+
+/// Again and again while it is news, for who joins late; what is old is passed on no more.
+void RobotViewer::pass_battery_on(ros::Stamp_ns stamp) {
+  if (battery_passed_ && stamp >= *battery_passed_ && stamp < *battery_passed_ + kBatteryEvery_ns) return;
+  const auto battery = vehicle_.battery();
+  if (!battery || battery->age_s > kBatteryNews_s) return;
+  battery_passed_ = stamp;
+  static const SessionTopic topic{"/battery", ros::String::kType};
+  next_->take(topic, stamp, cdr_bytes(ros::String{fmt::format(R"({{"charge":{:.3f}}})", battery->charge)}));
 }
 
 /// A robot has many publishers of transforms; which of them says where the map is, only the messages tell.

@@ -1,5 +1,6 @@
 import { choose_language, language, languages, text } from "../text";
 import type { App, Tab } from "./app";
+import { battery_mark } from "./battery";
 import { button, element, set_text } from "./element";
 import { status_of } from "./status";
 import { present_theme, toggle_theme } from "./theme";
@@ -17,8 +18,14 @@ function tab_bar(app: App, tabs: Tab[]): HTMLElement {
 
 /** What, where, how far, how long and who drives, and whether that is current: always visible. */
 function status_line(app: App): HTMLElement {
-  const words = element("span", {});
-  const line = element("p", { class: "status-line" }, element("span", { class: "lamp" }), words);
+  const words = element("span", { class: "status-words" });
+  const line = element(
+    "p",
+    { class: "status-line" },
+    element("span", { class: "lamp" }),
+    words,
+    battery_mark(app),
+  );
   const show = () => {
     const { lamp, text: status_text } = status_of({
       connection: app.connection.state.value,

@@ -16,6 +16,7 @@ export const english = {
     other: "somebody else holds the controls",
     nobody: "nobody holds the controls",
     delay: (ms: string) => `answers in ${ms} ms`,
+    battery: "battery",
   },
   stop: {
     name: "Emergency stop",

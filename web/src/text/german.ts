@@ -18,6 +18,7 @@ export const german: typeof english = {
     other: "jemand anders hat die Steuerung",
     nobody: "niemand hat die Steuerung",
     delay: (ms) => `antwortet in ${ms} ms`,
+    battery: "Akku",
   },
   stop: {
     name: "Nothalt",

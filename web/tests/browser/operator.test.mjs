@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 
-import { until } from "./browser.mjs";
+import { keep_screenshot, until } from "./browser.mjs";
 import { open_touch, with_fake_page } from "./fake_page.mjs";
 
 const given = with_fake_page();
@@ -88,6 +88,25 @@ test("What is old is dimmed and says how old it is", async () => {
   await page.locator(".camera-image.old").first().waitFor();
   vehicle.publish("/camera/top/image_raw", "sensor_msgs/Image", image);
   await page.locator(".camera-panel .camera-image:not(.old)").waitFor();
+});
+
+test("The robot's battery is in the status line where it speaks of one, and dimmed when that is old", async () => {
+  const battery = page.locator(".status-line .battery");
+  assert.equal(await battery.isVisible(), false);
+  const say = (charge) =>
+    vehicle.publish("/battery", "std_msgs/String", { data: JSON.stringify({ charge }) });
+  say(0.764);
+  await page.locator(".battery:not(.old)").getByText("battery 76 %").waitFor();
+  await keep_screenshot(page, "battery-dark");
+  const phone = await open_touch(given, 360, 740);
+  say(0.764);
+  await phone.getByText("battery 76 %").waitFor();
+  await keep_screenshot(phone, "battery-phone");
+  await phone.context().close();
+  await page.locator(".battery.old").waitFor();
+  assert.match(await battery.getAttribute("title"), /^battery 76 %, \d+ s ago$/);
+  say(0.5);
+  await page.locator(".battery:not(.old)").getByText("battery 50 %").waitFor();
 });
 
 test("A failure is told in a sentence with what to do, and stays until it is dismissed", async () => {

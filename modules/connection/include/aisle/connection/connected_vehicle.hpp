@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "aisle/connection/connection_counts.hpp"
@@ -63,6 +64,14 @@ class ConnectedVehicle final : public Vehicle {
     Pose2 T_odom_vehicle;
   };
   const Odometry& odometry() const;
+
+  /// What the robot last said of its battery.
+  struct Battery {
+    double charge = 0;  ///< 0 to 1
+    double age_s = 0;   ///< since that arrived
+  };
+  /// nullopt: nothing, or its topic is not in the connection.
+  std::optional<Battery> battery() const;
 
   /// What was commanded so far, by the times at which commands were sent.
   Arc commanded() const;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -17,7 +18,8 @@ namespace aisle {
 
 /// Publishes what a mission knows where the robot's own viewers look for it (RViz, Foxglove, Nav2): the floor
 /// as /map, the planned path as /plan, the pose as the transform from "map" to the odometry's frame. The
-/// stamps are the robot's. Where another program publishes the same, it does not, and says so once.
+/// stamps are the robot's. What the robot says of its battery goes the other way. Where another program
+/// publishes the same, it does not, and says so once.
 class RobotViewer final : public MessageSink {
  public:
   /// All must outlive the viewer.
@@ -29,6 +31,7 @@ class RobotViewer final : public MessageSink {
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) override;
 
  private:
+  void pass_battery_on(ros::Stamp_ns stamp);
   void publish(const SessionTopic& topic, const std::string& name, std::string_view cdr);
   void publish_pose(std::string_view cdr);
   bool is_of_another(const std::string& name);
@@ -41,6 +44,7 @@ class RobotViewer final : public MessageSink {
   MessageSink* next_;
   std::function<void(const std::string&)> note_;
   std::set<std::string> left_;  ///< to other programs
+  std::optional<ros::Stamp_ns> battery_passed_;
   std::mutex mutex_;
   std::deque<std::string> own_transforms_;  ///< the latest
   bool others_place_odom_ = false;          ///< another program publishes the same transform
