@@ -75,9 +75,13 @@ void Walker::turn_back() {
 std::optional<MovingBody> Walker::step(double now_s, double time_s, const Footprint& footprint,
                                        const Pose2& T_world_vehicle) {
   const double step_m = now_s > person_.start_s ? person_.speed_mps * time_s : 0;
-  const Pose2 T_world_next = pose_after(travelled_m_ + step_m);
-  const double clear_m = distance_to(footprint, T_world_vehicle.inverse() * T_world_next.position());
-  const bool has_room = clear_m > person_.radius_m + kKeptClear_m;
+  const Pose2 T_vehicle_world = T_world_vehicle.inverse();
+  const auto clear_m_after = [&](double distance_m) {
+    return distance_to(footprint, T_vehicle_world * pose_after(distance_m).position());
+  };
+  const double clear_m = clear_m_after(travelled_m_ + step_m);
+  const bool goes_away = is_there_ && clear_m > clear_m_after(travelled_m_);
+  const bool has_room = goes_away || clear_m > person_.radius_m + kKeptClear_m;
   if (has_room) {
     travelled_m_ += step_m;
     waited_s_ = 0;

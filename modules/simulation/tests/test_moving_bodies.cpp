@@ -40,6 +40,16 @@ TEST(Walker, WaitsBeforeTheVehicleAndThenTurnsBack) {
   EXPECT_THAT(pose_at(7.8, T_world_vehicle), PoseNear(Pose2{0.4, 0, -kPi}, 0.02, 1e-9));
 }
 
+TEST(Walker, GoesAwayWhereTheVehicleHasComeNearerThanPeopleKeep) {
+  Walker walker(passer_by());
+  for (int i = 1; i <= 300; ++i) walker.step(0.01 * i, 0.01, kCart, kFarAway);
+  const Pose2 T_world_vehicle = {1.5, 0, 0};  // its rear is 5 cm from who stands at x = 1
+  Pose2 T_world_person;
+  for (int i = 301; i <= 900; ++i)
+    T_world_person = walker.step(0.01 * i, 0.01, kCart, T_world_vehicle)->T_world_body;
+  EXPECT_THAT(T_world_person, PoseNear(Pose2{0, 0, -kPi}, 0.05, 1e-9));
+}
+
 TEST(MovingBodies, ABoxAppearsOnceThereIsRoomAndGoesAfterItsTime) {
   ScenarioPlay play(
       {.events = {{.fault = BlockingBox{.T_world_box = {3, 0, 0}}, .from_s = 1, .duration_s = 2}}});
