@@ -7,12 +7,13 @@
 namespace aisle {
 namespace {
 
-constexpr double kPiece_m = 0.15, kReach_m = 16;
+constexpr double kBeamPiece_m = 0.15, kViewReach_m = 16;
 
 std::vector<ViewBeam> seen_from(const Building& building, const Pose2& T_map_vehicle, std::uint64_t seed) {
   Random random(seed);
   std::vector<ViewBeam> beams;
-  for (const Vec2& hit : hand::scan(building, T_map_vehicle, kReach_m, random)) beams.push_back({{}, hit});
+  for (const Vec2& hit : hand::scan(building, T_map_vehicle, kViewReach_m, random))
+    beams.push_back({{}, hit});
   return beams;
 }
 
@@ -25,11 +26,11 @@ TEST(ViewFit, AtTheTruePoseInAnExactMapEverythingIsExplained) {
   for (int i = 0; i < 60; ++i) {
     const Pose2 T_map_vehicle{1 + 28 * i / 59.0, 0.5 + 0.02 * i, 0.1 * i};
     const auto seen = seen_from(building, T_map_vehicle, static_cast<std::uint64_t>(i));
-    const ViewFit fit = fit_of(field, seen, kPiece_m, T_map_vehicle, {});
+    const ViewFit fit = fit_of(field, seen, kBeamPiece_m, T_map_vehicle, {});
     beams += fit.beams;
     explained += fit.explained;
     misfit_m += fit.misfit_m;
-    surface_m += kPiece_m * fit.beams;
+    surface_m += kBeamPiece_m * fit.beams;
   }
   EXPECT_GE(explained, 0.998 * beams);
   EXPECT_LE(misfit_m, 0.005 * surface_m);
@@ -39,10 +40,10 @@ TEST(ViewFit, BeamsThroughAWallCountTwice) {
   const Building building = hand::l_room();
   const SurfaceField field(building);
   const std::vector<ViewBeam> beams(4, {{}, {0, 3}});  // from 2 m below the wall at y = 5 to 1 m behind it
-  const ViewFit fit = fit_of(field, beams, kPiece_m, {9, 3, 0}, {});
+  const ViewFit fit = fit_of(field, beams, kBeamPiece_m, {9, 3, 0}, {});
   EXPECT_EQ(fit.through, 4);
-  EXPECT_DOUBLE_EQ(fit.misfit_m, 8 * kPiece_m);
-  EXPECT_DOUBLE_EQ(fit.chance_m, 16 * kPiece_m);
+  EXPECT_DOUBLE_EQ(fit.misfit_m, 8 * kBeamPiece_m);
+  EXPECT_DOUBLE_EQ(fit.chance_m, 16 * kBeamPiece_m);
 }
 
 /// Whoever is 10 cm off explains all, but worse than whoever is not.
@@ -51,13 +52,13 @@ TEST(ViewFit, AHitIsTheLessExplainedTheFartherItIsFromItsSurface) {
   const SurfaceField field(building);
   const std::vector<ViewBeam> beams(4, {{}, {0, 2}});
   const auto misfit_m = [&](double off_m) {
-    const ViewFit fit = fit_of(field, beams, kPiece_m, {9, 3 - off_m, 0}, {});
+    const ViewFit fit = fit_of(field, beams, kBeamPiece_m, {9, 3 - off_m, 0}, {});
     EXPECT_EQ(fit.explained, 4);
     return fit.misfit_m;
   };
   EXPECT_DOUBLE_EQ(misfit_m(0), 0);
   EXPECT_DOUBLE_EQ(misfit_m(0.04), 0);
-  EXPECT_NEAR(misfit_m(0.1), 2 * kPiece_m, 1e-9);
+  EXPECT_NEAR(misfit_m(0.1), 2 * kBeamPiece_m, 1e-9);
 }
 
 }  // namespace
