@@ -27,8 +27,9 @@ void add_map_verb(CLI::App& app, Work& work) {
   add_choice<MapMode>(*verb, "--map-mode", options->map_mode,
                       {{"trinary", MapMode::kTrinary}, {"scale", MapMode::kScale}, {"raw", MapMode::kRaw}},
                       "mode of the map of cells for map_server (default trinary)");
-  verb->add_flag("--floor", options->keeps_floor,
-                 "keep the floor that was seen in building.json, too: `diff` and `merge` need it");
+  verb->add_flag(
+      "--floor,!--no-floor", options->keeps_floor,
+      "keep the floor that was seen in building.json, too (default): `localise`, `diff` and `merge` need it");
   verb->add_option("--odometry-delay", options->odometry_delay_s,
                    "delay of the odometry behind its scan in seconds (default: estimated from the log)")
       ->check(CLI::Range(-10.0, 10.0));

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "aisle/commands/map.hpp"
+#include "aisle/learning/walls/floor_of_log.hpp"
 #include "aisle/report/occupancy.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -38,7 +39,10 @@ py::array trajectory_of(const RecordingMap& map) {
 }
 
 OccupancyImage grid_of(const RecordingMap& map) {
-  return without_lock([&] { return occupancy_of(map.result.walls, map.log, map.result.T_map_vehicle); });
+  return without_lock([&] {
+    const FloorGrid floor = floor_of_log(map.log, map.result.T_map_vehicle);
+    return occupancy_of(map.result.walls, floor, map.log, map.result.T_map_vehicle);
+  });
 }
 
 Recording recording_of(const std::shared_ptr<RecordingMap>& map) {

@@ -152,11 +152,12 @@ Result<std::map<std::string, std::string>> write_results(const RecordingMap& map
                                                          const OutputDirectory& out) {
   const MapResult& result = map.result;
   Building building = building_of(map);
-  if (options.keeps_floor) building.floor = floor_of_log(map.log, result.T_map_vehicle);
+  FloorGrid floor = floor_of_log(map.log, result.T_map_vehicle);
   const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, map.name};
   std::vector<double> stamps_s;
   for (const LaserScan& scan : map.log.scans) stamps_s.push_back(scan.stamp_s);
-  const OccupancyImage occupancy = occupancy_of(result.walls, map.log, result.T_map_vehicle);
+  const OccupancyImage occupancy = occupancy_of(result.walls, floor, map.log, result.T_map_vehicle);
+  if (options.keeps_floor) building.floor = std::move(floor);
   const MapMode mode = options.map_mode;
   const bool is_png = mode == MapMode::kScale;
   const std::string image = is_png ? kScaleImage : "map.pgm";

@@ -67,10 +67,20 @@ class CellCanvas {
   OccupancyImage image_;
 };
 
+void draw_occupied(const FloorGrid& floor, CellCanvas& canvas) {
+  const FloorBox& known = floor.known();
+  for (int y = known.low.y; y < known.end.y; ++y) {
+    for (int x = known.low.x; x < known.end.x; ++x) {
+      const Vec2 p_map = floor.centre({x, y});
+      if (floor.at(FloorCell{x, y}) == Floor::kOccupied) canvas.draw(p_map, p_map, kCellOccupied);
+    }
+  }
+}
+
 }  // namespace
 
-OccupancyImage occupancy_of(const WallMap& walls, const LaserLog& log, std::span<const Pose2> T_map_vehicle,
-                            double cells_max) {
+OccupancyImage occupancy_of(const WallMap& walls, const FloorGrid& floor, const LaserLog& log,
+                            std::span<const Pose2> T_map_vehicle, double cells_max) {
   CellCanvas canvas(box_of(walls, T_map_vehicle), cells_max);
   const Pose2* swept = nullptr;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
@@ -90,6 +100,7 @@ OccupancyImage occupancy_of(const WallMap& walls, const LaserLog& log, std::span
       canvas.draw(T_map_laser.position(), T_map_laser.position() + free_m * along, kCellFree);
     }
   }
+  draw_occupied(floor, canvas);
   for (const Wall& wall : walls.walls) canvas.draw(wall.segment.start, wall.segment.end, kCellOccupied);
   return canvas.take();
 }

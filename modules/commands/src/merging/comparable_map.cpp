@@ -30,8 +30,8 @@ Result<Building> read_comparable_map(const std::filesystem::path& file, Console&
     problems.push_back({{file.string(), 0, "walls"}, "are missing: nothing can be recognised"});
   if (!building->floor || building->floor->count(Floor::kFree) == 0)
     problems.push_back({{file.string(), 0, "floor"},
-                        "is missing: what has gone cannot be told from what was not seen; `aisle map "
-                        "--floor` keeps it, and explored buildings have one"});
+                        "is missing: what has gone cannot be told from what was not seen; maps of logs "
+                        "have one (`aisle map` without --no-floor), and explored buildings"});
   if (!problems.empty()) return problems;
   return building;
 }

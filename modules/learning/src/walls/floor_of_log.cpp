@@ -26,7 +26,7 @@ FloorGrid floor_of_log(const LaserLog& log, std::span<const Pose2> T_map_vehicle
     }
     T_map_last = T;
     const LaserScan& scan = log.scans[i];
-    see_floor(floor, log.laser_of(scan), scan.ranges_m, {}, T, {.reach_m = kLookReach_m});
+    see_floor(floor, log.laser_of(scan), scan.ranges_m, {}, T, {.reach_m = kLookReach_m}, Viewpoint::kMoved);
   }
   return floor;
 }

@@ -30,7 +30,7 @@ struct MapOptions {
   std::filesystem::path out;                       ///< output directory; empty: figures only
   bool force = false;
   MapMode map_mode = MapMode::kTrinary;  ///< of the map of cells
-  bool keeps_floor = false;              ///< the building's file has the floor, too
+  bool keeps_floor = true;               ///< the building's file has the floor, too
   bool stages = false;                   ///< add the figures of every stage
   ParameterSources parameters;
 };
