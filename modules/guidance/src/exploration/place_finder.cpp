@@ -57,6 +57,12 @@ std::string PlaceFinder::why_not_found() const {
     return "not found: what it sees fits nowhere in this building";
   if (places.empty()) return "not found: it has seen too little that it could recognise";
   const Pose2& T = places.front().T_map_vehicle;
+  if (places.size() == 1 && localiser_.knows_all_places())
+    return fmt::format(
+        "not found: one place fits, {:.1f}, {:.1f}, {:.0f} degrees, but not well enough to be sure: it "
+        "explains "
+        "{:.0f} % of what is seen; --at tells that it is there",
+        T.x, T.y, to_degrees(T.theta), 100 * places.front().fit.explained_share());
   return fmt::format(
       "not found: {} places look alike{}, the likeliest at {:.1f}, {:.1f}, {:.0f} degrees; --at tells them "
       "apart",
