@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "aisle/commands/map.hpp"
-#include "aisle/learning/walls/floor_of_log.hpp"
 #include "aisle/report/occupancy.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -40,8 +39,7 @@ py::array trajectory_of(const RecordingMap& map) {
 
 OccupancyImage grid_of(const RecordingMap& map) {
   return without_lock([&] {
-    const FloorGrid floor = floor_of_log(map.log, map.result.T_map_vehicle);
-    return occupancy_of(map.result.walls, floor, map.log, map.result.T_map_vehicle);
+    return occupancy_of(map.result.walls, *building_of(map).floor, map.log, map.result.T_map_vehicle);
   });
 }
 

@@ -152,12 +152,11 @@ Result<std::map<std::string, std::string>> write_results(const RecordingMap& map
                                                          const OutputDirectory& out) {
   const MapResult& result = map.result;
   Building building = building_of(map);
-  FloorGrid floor = floor_of_log(map.log, result.T_map_vehicle);
   const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, map.name};
   std::vector<double> stamps_s;
   for (const LaserScan& scan : map.log.scans) stamps_s.push_back(scan.stamp_s);
-  const OccupancyImage occupancy = occupancy_of(result.walls, floor, map.log, result.T_map_vehicle);
-  if (options.keeps_floor) building.floor = std::move(floor);
+  const OccupancyImage occupancy = occupancy_of(result.walls, *building.floor, map.log, result.T_map_vehicle);
+  if (!options.keeps_floor) building.floor.reset();
   const MapMode mode = options.map_mode;
   const bool is_png = mode == MapMode::kScale;
   const std::string image = is_png ? kScaleImage : "map.pgm";
@@ -282,7 +281,9 @@ std::string reason_of(const MapJudgement& judgement) {
 }
 
 Building building_of(const RecordingMap& map) {
-  return {map.name, map.result.has_dominant_direction, map.result.walls};
+  Building building{map.name, map.result.has_dominant_direction, map.result.walls};
+  building.floor = floor_of_log(map.log, map.result.T_map_vehicle);
+  return building;
 }
 
 Outcome map_parameters() {

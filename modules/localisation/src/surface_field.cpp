@@ -134,9 +134,11 @@ void SurfaceField::mark_fixed() {
   for (std::size_t cell = 0; cell < nearest_.size(); ++cell) {
     const std::vector<std::size_t> thing = connected_surface(cell, is_visited);
     Eigen::AlignedBox2d box;
-    for (const std::size_t part : thing)
-      box.extend(Vec2(static_cast<double>(part % static_cast<std::size_t>(columns_)),
-                      static_cast<double>(part / static_cast<std::size_t>(columns_))));
+    for (const std::size_t part : thing) {
+      const std::size_t row = part / static_cast<std::size_t>(columns_);
+      const std::size_t column = part % static_cast<std::size_t>(columns_);
+      box.extend(Vec2(static_cast<double>(column), static_cast<double>(row)));
+    }
     if (thing.empty() || kCell_m * box.diagonal().norm() < kCarried_m) continue;
     for (const std::size_t part : thing) surfaces_[static_cast<std::size_t>(nearest_[part])].is_fixed = true;
   }

@@ -52,7 +52,7 @@ struct RecordingMap {
 /// are not used. Warnings are said as they come up.
 Result<RecordingMap> map_recording(const MapOptions& options, Console& console);
 
-/// The building that a map is of: its walls, without a floor.
+/// The building that a map is of: its walls, and the floor that was seen.
 Building building_of(const RecordingMap& map);
 
 /// "good", "doubtful", "poor" or "unknown".
