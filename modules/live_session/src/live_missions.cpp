@@ -161,7 +161,7 @@ GuideOptions guided(const MissionRequest& request, LiveMission& mission) {
 
 /// A place's name, "x,y" or "x,y,heading_deg"; empty: nothing of that is there.
 std::string goal_in(LiveArguments& arguments) {
-  const std::string place = arguments.text("place");
+  std::string place = arguments.text("place");
   const auto x = arguments.number("x_m"), y = arguments.number("y_m");
   const auto heading_deg = arguments.number("heading_deg");
   if (!place.empty() || !x || !y) return place;
