@@ -133,13 +133,14 @@ void SurfaceField::mark_fixed() {
   std::vector<std::uint8_t> is_visited(nearest_.size());
   for (std::size_t cell = 0; cell < nearest_.size(); ++cell) {
     const std::vector<std::size_t> thing = connected_surface(cell, is_visited);
+    if (thing.empty()) continue;
     Eigen::AlignedBox2d box;
     for (const std::size_t part : thing) {
       const std::size_t row = part / static_cast<std::size_t>(columns_);
       const std::size_t column = part % static_cast<std::size_t>(columns_);
       box.extend(Vec2(static_cast<double>(column), static_cast<double>(row)));
     }
-    if (thing.empty() || kCell_m * box.diagonal().norm() < kCarried_m) continue;
+    if (kCell_m * box.diagonal().norm() < kCarried_m) continue;
     for (const std::size_t part : thing) surfaces_[static_cast<std::size_t>(nearest_[part])].is_fixed = true;
   }
 }

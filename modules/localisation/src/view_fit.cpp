@@ -10,8 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kOnSurface_m = 0.04;
-constexpr double kBeside_m =
-    0.08;  // a beam so far to the side of another may pass an edge that the other meets
+constexpr double kBeside_m = 0.08;  // a beam this far beside another may pass the edge that it meets
 constexpr double kLeastStep_m = 0.03;
 constexpr int kIterations = 12;
 constexpr double kGate_m = 0.35;
@@ -60,6 +59,7 @@ BeamFate fate_of(const SurfaceField& field, const ViewBeam& beam, const Pose2& T
 /// Of a hit that is explained: how far it is from being not, 0 to 1.
 double share_off(const SurfaceField& field, const Vec2& p_map_hit, const ViewFitParams& params) {
   const double off_m = field.nearest(p_map_hit)->segment.distance(p_map_hit);
+  if (off_m <= params.on_m) return 0;
   return std::clamp((off_m - params.on_m) / (params.near_m - params.on_m), 0.0, 1.0);
 }
 

@@ -13,7 +13,7 @@ std::vector<ViewBeam> seen_from(const Building& building, const Pose2& T_map_veh
   Random random(seed);
   std::vector<ViewBeam> beams;
   for (const Vec2& hit : hand::scan(building, T_map_vehicle, kViewReach_m, random))
-    beams.push_back({{}, hit});
+    beams.push_back({Vec2::Zero(), hit});
   return beams;
 }
 
@@ -39,18 +39,41 @@ TEST(ViewFit, AtTheTruePoseInAnExactMapEverythingIsExplained) {
 TEST(ViewFit, BeamsThroughAWallCountTwice) {
   const Building building = hand::l_room();
   const SurfaceField field(building);
-  const std::vector<ViewBeam> beams(4, {{}, {0, 3}});  // from 2 m below the wall at y = 5 to 1 m behind it
+  const std::vector<ViewBeam> beams(
+      4, {Vec2::Zero(), {0, 3}});  // from 2 m below the wall at y = 5 to 1 m behind it
   const ViewFit fit = fit_of(field, beams, kBeamPiece_m, {9, 3, 0}, {});
   EXPECT_EQ(fit.through, 4);
   EXPECT_DOUBLE_EQ(fit.misfit_m, 8 * kBeamPiece_m);
   EXPECT_DOUBLE_EQ(fit.chance_m, 16 * kBeamPiece_m);
 }
 
+/// A box of half a metre may have been carried away; one of 1 m stays, as walls do.
+TEST(ViewFit, WhatCanBeCarriedAwayRefutesNothing) {
+  for (const double side_m : {0.5, 1.0}) {
+    Building building = hand::l_room();
+    hand::add_box({8.5, 1}, side_m, building);
+    const SurfaceField field(building);
+    const std::vector<ViewBeam> beams(4, {Vec2::Zero(), {0, 4.5}});  // over the box, to the wall at y = 5
+    const ViewFit fit = fit_of(field, beams, kBeamPiece_m, {8.75, 0.5, 0}, {});
+    EXPECT_EQ(fit.through, side_m < 1 ? 0 : 4) << side_m;
+  }
+}
+
+/// Parameters that leave no room between "on" and "near" make a step of the ramp, and no number that is none.
+TEST(ViewFit, WithoutARampAHitIsOnASurfaceOrNot) {
+  const SurfaceField field(hand::l_room());
+  const std::vector<ViewBeam> beams(4, {Vec2::Zero(), {0, 2}});
+  EXPECT_DOUBLE_EQ(fit_of(field, beams, kBeamPiece_m, {9, 2.95, 0}, {.on_m = 0.05, .near_m = 0.05}).misfit_m,
+                   0);
+  EXPECT_DOUBLE_EQ(fit_of(field, beams, kBeamPiece_m, {9, 2.95, 0}, {.on_m = 0.3, .near_m = 0.1}).misfit_m,
+                   0);
+}
+
 /// Whoever is 10 cm off explains all, but worse than whoever is not.
 TEST(ViewFit, AHitIsTheLessExplainedTheFartherItIsFromItsSurface) {
   const Building building = hand::l_room();
   const SurfaceField field(building);
-  const std::vector<ViewBeam> beams(4, {{}, {0, 2}});
+  const std::vector<ViewBeam> beams(4, {Vec2::Zero(), {0, 2}});
   const auto misfit_m = [&](double off_m) {
     const ViewFit fit = fit_of(field, beams, kBeamPiece_m, {9, 3 - off_m, 0}, {});
     EXPECT_EQ(fit.explained, 4);

@@ -12,8 +12,7 @@ namespace aisle {
 struct Surface {
   Segment2 segment;            ///< of a cell: a point
   Vec2 normal = Vec2::Zero();  ///< of a wall, unit, towards its free side; zero: it may face anywhere
-
-  bool is_fixed = false;  ///< part of something that nobody carries away: of 1 m or more
+  bool is_fixed = false;       ///< part of something that nobody carries away: of 1 m or more
 
   bool is_wall() const { return !normal.isZero(); }
 };
