@@ -76,6 +76,14 @@ TEST_F(Map, WritesTheFilesThatItNames) {
   for (const std::string path : files) EXPECT_THAT(read_bytes(path), Not(IsEmpty())) << path;
 }
 
+TEST_F(Map, TheBuildingKeepsItsFloorUnlessToldNotTo) {
+  run_aisle({"map", log(), "--out", at("whole")});
+  EXPECT_THAT(read_bytes(at("whole/building.json")), HasSubstr("\"floor\""));
+  run_aisle({"map", log(), "--no-floor", "--out", at("walls")});
+  EXPECT_THAT(read_bytes(at("walls/building.json")), Not(HasSubstr("\"floor\"")));
+  EXPECT_EQ(read_bytes(at("walls/map.pgm")), read_bytes(at("whole/map.pgm")));
+}
+
 TEST_F(Map, TheMapOfCellsIsWrittenInTheModeAskedFor) {
   run_aisle({"map", log(), "--out", at("raw"), "--map-mode", "raw"});
   EXPECT_THAT(read_bytes(at("raw/map.yaml")), HasSubstr("mode: raw"));
