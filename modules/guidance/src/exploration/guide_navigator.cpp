@@ -92,8 +92,7 @@ void GuideNavigator::send_to(std::vector<GoalPlace> places, double stamp_s) {
   places_ = std::move(places);
   next_ = 0;
   headings_.clear();
-  turns_tried_ = 0;
-  has_turned_fully_ = ignores_heading_ = false;
+  facing_ = {};
   progress_s_ = stamp_s;
   relaxes_clearance_ = false;
   drop_path();
@@ -174,14 +173,14 @@ double GuideNavigator::off_heading_rad(const Pose2& T_map_vehicle) const {
 bool GuideNavigator::arrive_facing(double stamp_s) {
   if (!places_[next_].heading_rad || !is_at_place(T_map_vehicle_)) return false;
   const double off_rad = off_heading_rad(T_map_vehicle_);
-  if (std::abs(off_rad) > kFacing_rad && turns_tried_ < kTurnsMax) {
-    ++turns_tried_;
-    ignores_heading_ = false;
+  if (std::abs(off_rad) > kFacing_rad && facing_.turns_tried < kTurnsMax) {
+    ++facing_.turns_tried;
+    facing_.is_ignored = false;
     progress_s_ = stamp_s;
     return false;
   }
   const bool turns = vehicle_.is_differential && std::abs(off_rad) > kFacingExactly_rad &&
-                     std::abs(off_rad) <= kFacing_rad && !std::exchange(has_turned_fully_, true);
+                     std::abs(off_rad) <= kFacing_rad && !std::exchange(facing_.has_turned_fully, true);
   if (turns) {
     driver_.take(Path({{T_map_vehicle_, {.length_m = 0, .turn_rad = -off_rad}}}));
   } else {
@@ -196,7 +195,7 @@ void GuideNavigator::give_up_heading(double stamp_s) {
   relaxes_clearance_ = false;
   search_.stop();
   if (is_at_place(T_map_vehicle_)) return reach_place(stamp_s);
-  ignores_heading_ = true;
+  facing_.is_ignored = true;
 }
 
 void GuideNavigator::reach_place(double stamp_s) {
@@ -206,8 +205,7 @@ void GuideNavigator::reach_place(double stamp_s) {
   }
   ++next_;
   progress_s_ = stamp_s;
-  turns_tried_ = 0;
-  has_turned_fully_ = ignores_heading_ = false;
+  facing_ = {};
 }
 
 std::string GuideNavigator::missed_headings() const {
@@ -225,7 +223,7 @@ std::string GuideNavigator::missed_headings() const {
 
 void GuideNavigator::begin_search() {
   const GoalPlace& place = places_[next_];
-  const bool turns = place.heading_rad && !ignores_heading_;
+  const bool turns = seeks_heading();
   search_.look_for(
       floor_, T_map_vehicle_, place.p_map, vehicle_.footprint.front_m, [this, turns](const Pose2& T_map) {
         return is_at_place(T_map) && (!turns || std::abs(off_heading_rad(T_map)) <= kFacingPlanned_rad);
@@ -268,7 +266,7 @@ void GuideNavigator::search_path(double stamp_s) {
 /// No path was found: with less clearance there may be one, or without the heading.
 void GuideNavigator::search_again(double stamp_s) {
   searched_s_ = stamp_s;
-  const bool turns = places_[next_].heading_rad && !ignores_heading_;
+  const bool turns = seeks_heading();
   if (turns && relaxes_clearance_) return give_up_heading(stamp_s);
   if (turns) progress_s_ = stamp_s;
   relaxes_clearance_ = !relaxes_clearance_;

@@ -82,6 +82,13 @@ class GuideNavigator final : public Navigator {
   const KnownFloor& floor() const { return floor_; }
 
  private:
+  /// How far it is with the heading of the next place.
+  struct HeadingProgress {
+    int turns_tried = 0;            ///< at the place
+    bool has_turned_fully = false;  ///< on the spot, to exactly the heading
+    bool is_ignored = false;        ///< until it is at the place: no path to the heading there was found
+  };
+
   Decision decide(const Observation& observation);
   void locate(const Observation& observation);
   void look_at_floor(double stamp_s);
@@ -90,6 +97,7 @@ class GuideNavigator final : public Navigator {
   void search_path(double stamp_s);
   void search_again(double stamp_s);
   bool is_at_place(const Pose2& T_map_vehicle) const;
+  bool seeks_heading() const { return places_[next_].heading_rad && !facing_.is_ignored; }
   double off_heading_rad(const Pose2& T_map_vehicle) const;
   bool arrive_facing(double stamp_s);
   void give_up_heading(double stamp_s);
@@ -111,9 +119,7 @@ class GuideNavigator final : public Navigator {
   std::vector<GoalPlace> places_;
   std::size_t next_ = 0;  ///< index in `places_`
   std::vector<GoalHeading> headings_;
-  int turns_tried_ = 0;            ///< at the place, towards its heading
-  bool has_turned_fully_ = false;  ///< on the spot, to exactly the heading
-  bool ignores_heading_ = false;   ///< until it is at the place: no path to it there was found
+  HeadingProgress facing_;
   ScanView view_;
   Pose2 T_scan_vehicle_;  ///< since the last scan, by odometry
   Pose2 T_map_vehicle_;
