@@ -1,4 +1,5 @@
 // A real browser for the tests: pages that report their own errors, and screenshots.
+import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
@@ -33,6 +34,12 @@ export async function open_page(browser, address, options = desktop) {
   page.on("pageerror", (error) => page.errors.push(error.message));
   await page.goto(address);
   return page;
+}
+
+/** Closes a page, on which no script may have failed. */
+export async function close_page(page) {
+  await page.context().close();
+  assert.deepEqual(page.errors, []);
 }
 
 /** Saves a screenshot in the directory AISLE_PICTURES, if that is set. */

@@ -1,13 +1,13 @@
 // A simulated vehicle is sent about on the plan: `aisle live` in a building that was explored.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 
-import { keep_screenshot, open_browser, open_page, until } from "./browser.mjs";
-import { Watcher, hold, start_live } from "./watcher.mjs";
+import { close_page, keep_screenshot, open_browser, open_page, until } from "./browser.mjs";
+import { Watcher, end_live, hold, start_live } from "./watcher.mjs";
 
 /** A mission of half a minute, at twice the speed of time, on a slow machine. */
 const driven_ms = 180000;
@@ -28,19 +28,14 @@ before(async () => {
 after(async () => {
   await browser.close();
   watcher?.close();
-  if (server) assert.equal(await server.stop(), 130);
-  rmSync(directory, { recursive: true });
+  await end_live(server, directory);
 });
 beforeEach(async () => {
   page = await open_page(browser, `${server.address}#drive/go`);
   await page.locator('.mission-panel option[value="home"]').waitFor({ state: "attached" });
   await page.getByText(/l-corridor: waiting/).waitFor();
 });
-afterEach(async () => {
-  const { errors } = page;
-  await page.context().close();
-  assert.deepEqual(errors, []);
-});
+afterEach(() => close_page(page));
 
 /** Where on the screen a point of the map is, by what the plan says under the mouse at two places. */
 async function screen_of(x_m, y_m) {

@@ -1,14 +1,14 @@
 // What the program's server and the page do together for an operator: `aisle live` and `--live`.
 import assert from "node:assert/strict";
-import { cpSync, mkdirSync, mkdtempSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, renameSync, writeFileSync } from "node:fs";
 import { get } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { WebSocket } from "ws";
 
-import { keep_screenshot, open_browser, open_page, until } from "./browser.mjs";
-import { Watcher, hold, start_live, start_watched } from "./watcher.mjs";
+import { close_page, keep_screenshot, open_browser, open_page, until } from "./browser.mjs";
+import { Watcher, end_live, hold, start_live, start_watched } from "./watcher.mjs";
 
 const viewer = "https://viewer.example";
 let browser, server, directory, page;
@@ -20,18 +20,13 @@ before(async () => {
 });
 after(async () => {
   await browser.close();
-  if (server) assert.equal(await server.stop(), 130);
-  rmSync(directory, { recursive: true });
+  await end_live(server, directory);
 });
 beforeEach(async () => {
   page = await open_page(browser, server.address);
   await page.getByText("l-corridor: waiting").waitFor();
 });
-afterEach(async () => {
-  const { errors } = page;
-  await page.context().close();
-  assert.deepEqual(errors, []);
-});
+afterEach(() => close_page(page));
 
 /** Status, headers and number of bytes of an answer as it was sent. */
 function fetched(path, headers = {}) {

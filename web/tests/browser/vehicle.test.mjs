@@ -1,11 +1,12 @@
 // The page in a real browser, connected to a simulated vehicle: `aisle live`.
 import assert from "node:assert/strict";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 
 import {
+  close_page,
   desktop,
   desktop_light,
   keep_screenshot,
@@ -15,7 +16,7 @@ import {
   until,
 } from "./browser.mjs";
 import { make_certificate } from "./certificate.mjs";
-import { Watcher, hold, start_live } from "./watcher.mjs";
+import { Watcher, end_live, hold, start_live } from "./watcher.mjs";
 
 /** The vehicle's maximum reaction time, by its own clock. */
 const reaction_max_s = 0.3;
@@ -31,18 +32,13 @@ before(async () => {
 after(async () => {
   await browser.close();
   watcher?.close();
-  if (server) assert.equal(await server.stop(), 130);
-  rmSync(directory, { recursive: true });
+  await end_live(server, directory);
 });
 beforeEach(async () => {
   page = await open_page(browser, server.address);
   await page.getByText(/l-corridor: /).waitFor();
 });
-afterEach(async () => {
-  const errors = page.errors;
-  await page.context().close();
-  assert.deepEqual(errors, []);
-});
+afterEach(() => close_page(page));
 
 async function drive_ahead() {
   await page.getByRole("button", { name: "Take the controls" }).click();

@@ -1,5 +1,7 @@
 // An independent client that watches the vehicle while the page is tested.
+import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
+import { rmSync } from "node:fs";
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader } from "@foxglove/rosmsg2-serialization";
 import protocol from "@foxglove/ws-protocol";
@@ -89,6 +91,12 @@ async function start(program_arguments) {
 /** Starts `aisle live WORLD` on a free port. @returns {address, stop, ended} */
 export function start_live(world, directory, ...options) {
   return start(["live", world, "--port", "0", "--out", directory, ...options]);
+}
+
+/** Interrupts what `start_live` started, if it did, and removes its directory. */
+export async function end_live(server, directory) {
+  if (server) assert.equal(await server.stop(), 130);
+  rmSync(directory, { recursive: true });
 }
 
 /** Starts a verb with `--live` on a free port. @returns {address, stop, ended} */
