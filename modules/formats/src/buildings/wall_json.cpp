@@ -29,13 +29,22 @@ JsonPart ends_part(std::string_view key, Wall& wall) {
           }};
 }
 
+/// Left out of a wall that is sure, as all are in the map of one trip.
+JsonPart evidence_part(std::string_view key, int& evidence) {
+  return {key, [&evidence] { return evidence == kSureEvidence ? "" : std::to_string(evidence); },
+          [&evidence](const JsonValue& value) {
+            read_field(value, field::count("", evidence, {1, kSureEvidence}));
+          }};
+}
+
 JsonFields wall_fields(Wall& wall) {
   return {needed(field::point("start_m", wall.segment.start, kMapCoordinate_m)),
           needed(field::point("end_m", wall.segment.end, kMapCoordinate_m)),
           field::flag("orthogonal", wall.is_orthogonal),
           ends_part("ends", wall),
           field::count("sightings", wall.sightings),
-          field::number("sigma_m", wall.sigma_m, {0, 1e3}, {4, Digits::Kind::kAllDecimals})};
+          field::number("sigma_m", wall.sigma_m, {0, 1e3}, {4, Digits::Kind::kAllDecimals}),
+          evidence_part("evidence", wall.evidence)};
 }
 
 }  // namespace

@@ -36,9 +36,24 @@ Building any_building(Random& random, std::size_t walls) {
     wall.end = end();
     wall.sightings = static_cast<int>(random.index(5000));
     wall.sigma_m = random.uniform(0, 0.3);
+    wall.evidence = 1 + static_cast<int>(random.index(kSureEvidence));
     building.walls.walls.push_back(wall);
   }
   return building;
+}
+
+TEST(BuildingJson, TheEvidenceOfAWallIsLeftOutWhereItIsSure) {
+  Building building;
+  building.walls.walls = {{.segment = {{0, 0}, {1, 0}}, .evidence = 1}, {.segment = {{0, 1}, {1, 1}}}};
+  const std::string text = building_json(building);
+  EXPECT_THAT(text, HasSubstr("\"evidence\": 1}"));
+  EXPECT_EQ(text.find("evidence"), text.rfind("evidence"));
+  const auto read = parse_building(text, "x");
+  ASSERT_TRUE(read.ok());
+  EXPECT_FALSE(read->walls.walls[0].is_certain());
+  EXPECT_EQ(read->walls.walls[1].evidence, kSureEvidence);
+  const std::string wall = R"("walls": [{"start_m": [0, 0], "end_m": [1, 0], "evidence": 4}])";
+  EXPECT_THAT(to_string(parse_building(building_with(wall), "x").problems()), HasSubstr("walls[0].evidence"));
 }
 
 TEST(BuildingJson, TheGoldenFileSaysWhatWasLearned) {
