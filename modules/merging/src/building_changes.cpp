@@ -7,13 +7,12 @@
 #include <stdexcept>
 
 #include "aisle/merging/moved_building.hpp"
-#include "same_surface.hpp"
+#include "floor_change.hpp"
+#include "wall_fates.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr double kStep_m = 0.1;        // along a wall
-constexpr double kPieceMin_m = 0.35;   // shorter than this, neighbouring walls keep a map from telling
 constexpr double kMoveMax_m = 1;       // farther away it is another wall
 constexpr double kParallel = 0.97;     // cosine of 14 degrees
 constexpr double kSharedLength = 0.5;  // of the shorter of two pieces that are one wall, moved
@@ -21,56 +20,11 @@ constexpr double kDoorMin_m = 0.55, kDoorMax_m = 1.4;
 constexpr double kJamb_m = 0.4;     // from a door's ends to the wall that it is in, along it ...
 constexpr double kReveal_m = 0.35;  // ... and across
 
-WallChange change_by(MapOpinion opinion, WallChange if_denied) {
-  switch (opinion) {
-    case MapOpinion::kConfirmed:
-      return WallChange::kKept;
-    case MapOpinion::kDenied:
-      return if_denied;
-    case MapOpinion::kSilent:
-      break;
-  }
-  return WallChange::kNotCompared;
-}
-
-/// Short runs take the fate of a neighbour: where the other map is silent, of one that has changed if there
-/// is one, as what is not confirmed is not kept; else of the run before, and the first of the run behind.
-void smooth(std::vector<WallChange>& fates) {
-  const auto least = std::lround(kPieceMin_m / kStep_m);
-  const auto has_changed = [](WallChange fate) {
-    return fate == WallChange::kNew || fate == WallChange::kGone;
-  };
-  for (auto run = fates.begin(); run != fates.end();) {
-    const auto end = std::find_if(run, fates.end(), [&](WallChange fate) { return fate != *run; });
-    const bool has_before = run != fates.begin(), has_behind = end != fates.end();
-    if (end - run < least && (has_before || has_behind)) {
-      const bool follows =
-          has_behind && (!has_before || (*run == WallChange::kNotCompared && has_changed(*end)));
-      std::fill(run, end, follows ? *end : *(run - 1));
-    }
-    run = end;
-  }
-}
-
-/// The fate of each step along a wall.
-std::vector<WallChange> fates_along(const Wall& wall, const MapPattern& other, WallChange if_denied) {
-  const Vec2 along = wall.segment.end - wall.segment.start;
-  const Vec2 normal = left_normal(along / along.norm());
-  const int steps = std::max(1, static_cast<int>(std::lround(along.norm() / kStep_m)));
-  std::vector<WallChange> fates;
-  fates.reserve(static_cast<std::size_t>(steps));
-  for (int i = 0; i < steps; ++i)
-    fates.push_back(
-        change_by(other.opinion_of(wall.segment.start + along * ((i + 0.5) / steps), normal), if_denied));
-  smooth(fates);
-  return fates;
-}
-
 /// Walls of one map in pieces of one fate each.
 void add_pieces(const WallMap& walls, const MapPattern& other, bool is_of_new,
                 std::vector<ChangedWall>& pieces) {
   for (const Wall& wall : walls.walls) {
-    if (wall.segment.length() < kPieceMin_m) continue;
+    if (wall.segment.length() < kFateMin_m) continue;
     const auto fates = fates_along(wall, other, is_of_new ? WallChange::kNew : WallChange::kGone);
     const Vec2 step = (wall.segment.end - wall.segment.start) / static_cast<double>(fates.size());
     for (std::size_t first = 0; first < fates.size();) {
@@ -166,16 +120,6 @@ std::vector<DoorChange> doors_among(const std::vector<ChangedWall>& pieces) {
     doors.push_back({piece.segment, is_open});
   }
   return doors;
-}
-
-FloorChange change_of_cell(const FloorGrid& old_floor, const FloorGrid& new_floor, FloorCell cell) {
-  const Floor before = old_floor.at(cell), now = new_floor.at(cell);
-  if (before == now) return before == Floor::kUnknown ? FloorChange::kNotSeen : FloorChange::kSame;
-  if (before == Floor::kUnknown) return FloorChange::kOnlyNew;
-  if (now == Floor::kUnknown) return FloorChange::kOnlyOld;
-  if (now == Floor::kOccupied)
-    return has_surface_at(old_floor, cell) ? FloorChange::kSame : FloorChange::kLost;
-  return has_surface_at(new_floor, cell) ? FloorChange::kSame : FloorChange::kWon;
 }
 
 FloorChanges floor_changes(const FloorGrid& old_floor, const FloorGrid& new_floor) {

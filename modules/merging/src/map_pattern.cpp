@@ -69,12 +69,17 @@ const Surface* MapPattern::facing_wall(const Vec2& p_map, const Vec2& normal) co
   return is_facing ? surface : nullptr;
 }
 
-MapOpinion MapPattern::opinion_of(const Vec2& p_map, const Vec2& normal) const {
+const Surface* MapPattern::same_wall(const Vec2& p_map, const Vec2& normal) const {
+  const Surface* const surface = facing_wall(p_map, normal);
+  return surface != nullptr && is_on(*surface, p_map) ? surface : nullptr;
+}
+
+MapOpinion MapPattern::opinion_of(const Vec2& p_map, const Vec2& normal, double beyond_m) const {
   const Surface* const surface = field_.nearest(p_map + kInFront_m * normal);
   const bool may_be_it =
       surface != nullptr && (!surface->is_wall() || surface->normal.dot(normal) > kSameFacing);
   if (may_be_it && is_on(*surface, p_map)) return MapOpinion::kConfirmed;
-  const bool is_free = field_.can_stand(p_map) && field_.distance_m(p_map) > kBeyond_m;
+  const bool is_free = field_.can_stand(p_map) && field_.distance_m(p_map) > beyond_m;
   return is_free ? MapOpinion::kDenied : MapOpinion::kSilent;
 }
 

@@ -42,19 +42,20 @@ SensedSegment as_sensed(const Wall& wall) {
           .curved = !wall.is_orthogonal};
 }
 
-Wall as_drawn(const WallEstimate& estimate, int sightings) {
+Wall as_drawn(const WallEstimate& estimate, int sightings, int evidence) {
   return {.segment = estimate.segment(),
           .is_orthogonal = !estimate.is_oblique(),
           .start = estimate.start,
           .end = estimate.end,
           .sightings = sightings,
-          .sigma_m = 1 / std::sqrt(estimate.offset_weight)};
+          .sigma_m = 1 / std::sqrt(estimate.offset_weight),
+          .evidence = evidence};
 }
 
 /// Walls that several parts have are one.
 WallMap united_walls(std::span<const Building> parts) {
   std::vector<WallEstimate> walls;
-  std::vector<int> sightings;
+  std::vector<int> sightings, evidence;
   CellIndex index;
   std::vector<int> near;
   const WallUpdateParams update{.axis_tolerance_rad = kOnAxis_rad, .gate_m = kOneWallGate_m};
@@ -66,11 +67,15 @@ WallMap united_walls(std::span<const Building> parts) {
       const int at = absorb({sensed, {}}, 0, update, walls, near);
       sightings.resize(walls.size(), 0);
       sightings[static_cast<std::size_t>(at)] += wall.sightings;
+      evidence.resize(walls.size(), 0);
+      evidence[static_cast<std::size_t>(at)] =
+          std::max(evidence[static_cast<std::size_t>(at)], wall.evidence);
       index.add(walls[static_cast<std::size_t>(at)].segment(), at);
     }
   }
   WallMap map;
-  for (std::size_t i = 0; i < walls.size(); ++i) map.walls.push_back(as_drawn(walls[i], sightings[i]));
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    map.walls.push_back(as_drawn(walls[i], sightings[i], evidence[i]));
   return map;
 }
 

@@ -40,7 +40,11 @@ class MapPattern {
 
   /// The face of a wall nearest to a place that looks the same way; null: none within reach.
   const Surface* facing_wall(const Vec2& p_map, const Vec2& normal) const;
-  MapOpinion opinion_of(const Vec2& p_map, const Vec2& normal) const;
+  /// @param beyond_m  free floor this far from everything denies the wall
+  MapOpinion opinion_of(const Vec2& p_map, const Vec2& normal, double beyond_m = kBeyond_m) const;
+  /// The face of a wall that is, as far as two maps agree, the one at this place; null: there are at most
+  /// cells.
+  const Surface* same_wall(const Vec2& p_map, const Vec2& normal) const;
 
  private:
   SurfaceField field_;
