@@ -109,19 +109,31 @@ void add_navigate_verb(CLI::App& app, Work& work) {
 }
 
 void add_refine_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("refine", "improve the landmarks of a learned building with more runs");
+  CLI::App* verb = app.add_subcommand(
+      "refine", "improve a learned building with more trips: its landmarks if it has any, else its walls");
   verb->fallthrough();
   add_examples(*verb, {"aisle refine out/learned/building.json out/run --out out/refined",
-                       "aisle refine out/learned/building.json out/run-1 out/run-2 --out out/refined"});
+                       "aisle refine out/office/building.json friday.bag --out out/office-2",
+                       "aisle refine out/office/building.json monday.bag tuesday.bag --json"});
   auto options = std::make_shared<RefineOptions>();
-  verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle learn'");
-  verb->add_option("SESSION", options->sessions, "session directories of runs along the building's routes");
+  verb->add_option(
+      "BUILDING", options->building,
+      "building file (JSON): from 'aisle learn', or with walls and floor; a map of map_server (YAML)");
+  verb->add_option(
+      "TRIP", options->trips,
+      "for landmarks: sessions of runs along the building's routes; for walls: recordings of a 2-D "
+      "laser scanner (CARMEN log, MRPT rawlog, CSV, ROS bag, session), taken in this order");
+  verb->add_option_function<std::string>(
+      "--at", [options](const std::string& text) { options->T_map_hint = parse_place("--at", text); },
+      "where a laser recording begins, x,y,heading_deg in the map: a hint that is checked (default: "
+      "anywhere)");
+  add_reading_options(*verb, options->reading);
   verb->add_option("-o,--out", options->out,
-                   "output directory for the refined building.json and its picture");
+                   "output directory for the refined building.json and its pictures");
   verb->add_flag("--force", options->force, "overwrite existing results");
   add_parameter_options(*verb, options->parameters, refine_parameters, work, [=, &work] {
     if (options->building.empty()) throw CLI::RequiredError("BUILDING");
-    if (options->sessions.empty()) throw CLI::RequiredError("SESSION");
+    if (options->trips.empty()) throw CLI::RequiredError("TRIP");
     work = [options](Console& console) { return run_refine(*options, console); };
   });
 }

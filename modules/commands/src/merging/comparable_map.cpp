@@ -22,17 +22,21 @@ const char* name_of(AlignmentVerdict verdict) {
 
 }  // namespace
 
-Result<Building> read_comparable_map(const std::filesystem::path& file, Console& console) {
-  auto building = read_known_building(file, console);
-  if (!building) return building;
+Problems not_comparable(const Building& building, const std::filesystem::path& file) {
   Problems problems;
-  if (building->walls.walls.empty())
+  if (building.walls.walls.empty())
     problems.push_back({{file.string(), 0, "walls"}, "are missing: nothing can be recognised"});
-  if (!building->floor || building->floor->count(Floor::kFree) == 0)
+  if (!building.floor || building.floor->count(Floor::kFree) == 0)
     problems.push_back({{file.string(), 0, "floor"},
                         "is missing: what has gone cannot be told from what was not seen; maps of logs "
                         "have one (`aisle map` without --no-floor), and explored buildings"});
-  if (!problems.empty()) return problems;
+  return problems;
+}
+
+Result<Building> read_comparable_map(const std::filesystem::path& file, Console& console) {
+  auto building = read_known_building(file, console);
+  if (!building) return building;
+  if (Problems problems = not_comparable(*building, file); !problems.empty()) return problems;
   return building;
 }
 
