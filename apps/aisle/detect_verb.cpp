@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "aisle/commands/check_images.hpp"
 #include "aisle/commands/detect.hpp"
 #include "examples.hpp"
 #include "verb.hpp"
@@ -48,12 +49,41 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
       });
 }
 
+/// `detect --check` and what goes with it; without --check a feature is required.
+void add_check(CLI::App& detect, Work& work) {
+  auto options = std::make_shared<CheckImagesOptions>();
+  detect
+      .add_option(
+          "--check", options->recordings,
+          "images, folders of images, a Donkeycar tub, a list of images (CSV), a ROS bag or a session: say "
+          "whether each method sees in them what it drives by, and what would help")
+      ->type_name("IMAGES");
+  detect.add_option("--calibration", options->calibration,
+                    "calibration of the camera (OpenCV YAML or ROS camera_info); optional");
+  detect.add_option("--topic", options->topic,
+                    "topic of a bag's or a session's images (default: the only one)");
+  detect.add_option("--images-max", options->images_max, "look at so many, evenly chosen (default 200)")
+      ->check(CLI::Range(1, 100000));
+  detect.add_option("-o,--out", options->out,
+                    "output directory for images with what is seen drawn in, 24 at most");
+  detect.add_flag("--force", options->force, "overwrite existing results");
+  add_parameter_options(
+      detect, options->parameters, check_images_parameters, work, [&detect, options, &work] {
+        const bool has_feature = !detect.get_subcommands().empty();
+        if (has_feature && !options->recordings.empty())
+          throw CLI::ValidationError("--check", "looks at all features: give no verb below detect beside it");
+        if (has_feature) return;
+        if (options->recordings.empty()) throw CLI::RequiredError("A subcommand or --check IMAGES");
+        work = [options](Console& console) { return run_check_images(*options, console); };
+      });
+}
+
 }  // namespace
 
 void add_detect_verb(CLI::App& app, Work& work) {
   CLI::App* detect = app.add_subcommand("detect", "find features in images");
-  detect->require_subcommand(1);
   detect->fallthrough();
+  add_check(*detect, work);
   add_feature<Feature::kVerticals>(
       *detect, work, "verticals",
       "vertical lines of the building, and which of them stand on a wall-floor edge",
@@ -75,5 +105,6 @@ void add_detect_verb(CLI::App& app, Work& work) {
       {"aisle detect places view.png --taught place-1.png place-2.png",
        "aisle detect places frame-1.png frame-2.png --follow --taught places --out out/places"});
   add_examples(*detect, {"aisle detect verticals view.png --out out/lines",
-                         "aisle detect places view.png --taught places"});
+                         "aisle detect places view.png --taught places",
+                         "aisle detect --check frames --out out/check"});
 }

@@ -9,7 +9,9 @@
 #include <fstream>
 #include <regex>
 
+#include "aisle/formats/image_sequences/image_sequence.hpp"
 #include "aisle/formats/images/image_file.hpp"
+#include "aisle/vision/check/view_check.hpp"
 #include "aisle/vision/places/brightness_view.hpp"
 #include "aisle/vision/places/place_recogniser.hpp"
 #include "aisle/vision/route/route_region.hpp"
@@ -264,6 +266,60 @@ TEST(RealImages, PlacesOfAnOfficeAreRecognised) {
   EXPECT_GE(count.sure, 34);
   EXPECT_EQ(count.wrong, 0);
   EXPECT_EQ(count.confirmed_wrong, 0);
+}
+
+ViewCheck check_of(const std::vector<fs::path>& files) {
+  ImageExaminer examiner;
+  std::vector<ImageEvidence> evidence;
+  evidence.reserve(files.size());
+  for (const fs::path& file : files) evidence.push_back(examiner.examine(read(file)));
+  return check_views(evidence, {}, false);
+}
+
+void print(const char* of, const ViewCheck& check) {
+  fmt::print("check of {}: wall-floor edges {} of {}, verticals {}, floor points {}, free floor {}\n", of,
+             check.edges.good, check.edges.images, check.verticals.good, check.floor_points.good,
+             check.floor.good);
+}
+
+TEST(RealImages, TheCheckSaysWhereTheEdgesAreThatWereMarked) {
+  const fs::path folder = images("office_corridor_walkable");
+  AISLE_NEEDS(folder);
+  const ViewCheck check = check_of(jpegs_in(folder));
+  print("a corridor", check);
+  EXPECT_EQ(check.sections.verdict, ViewVerdict::kSeen);
+  EXPECT_EQ(check.verticals.verdict, ViewVerdict::kSeen);
+  ASSERT_TRUE(check.medians.horizon);
+  EXPECT_NEAR(*check.medians.horizon, 0.5, 0.03);
+}
+
+TEST(RealImages, TheCheckSaysThatAMirroringFloorIsNotSeen) {
+  const fs::path folder = images("rtabmap_corridor_2laps");
+  AISLE_NEEDS(folder);
+  const ViewCheck check = check_of(images_in_folder(folder));
+  print("a corridor with a polished floor", check);
+  EXPECT_EQ(check.rooms.verdict, ViewVerdict::kNotSeen);
+  EXPECT_EQ(check.verticals.verdict, ViewVerdict::kSeen);
+  EXPECT_THAT(check.hints, testing::Contains(ViewHint::kLooksUp));
+  EXPECT_THAT(check.hints, testing::Contains(ViewHint::kFloorUnclear));
+}
+
+TEST(RealImages, TheCheckSeesTheLabelledFloorOfRooms) {
+  const fs::path folder = images("hedau_layout");
+  AISLE_NEEDS(folder);
+  const ViewCheck check = check_of(jpegs_in(folder / "room"));
+  print("rooms", check);
+  EXPECT_EQ(check.rooms.verdict, ViewVerdict::kSeen);
+  EXPECT_EQ(check.floor.good, 10) << "of one room the floor is found with an overlap of 0.37";
+}
+
+TEST(RealImages, TheCheckSeesNoCorridorWhereThereIsNone) {
+  const fs::path folder = images("chessboard_opencv");
+  AISLE_NEEDS(folder);
+  const ViewCheck check = check_of(jpegs_in(folder));
+  print("chessboards held into a camera", check);
+  EXPECT_EQ(check.sections.verdict, ViewVerdict::kNotSeen);
+  EXPECT_EQ(check.landmarks.verdict, ViewVerdict::kNotSeen);
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST_F(Detect, ResultsAreReplacedOnlyByForce) {
 
 TEST_F(Detect, MistakesAreRefusedInOneLine) {
   const std::string a = file("a.pgm", image_file());
-  EXPECT_THAT(run_aisle({"detect", "--json"}), IsRefused("A subcommand is required"));
+  EXPECT_THAT(run_aisle({"detect", "--json"}), IsRefused("A subcommand or --check IMAGES is required"));
   EXPECT_THAT(run_aisle({"detect", "stripes", "--json"}), IsRefused("IMAGE is required"));
   EXPECT_THAT(run_aisle({"detect", "stripes", a, "--out", "", "--json"}), IsRefused("--out"));
   EXPECT_THAT(run_aisle({"detect", "stripes", a, "--out", a, "--json"}),

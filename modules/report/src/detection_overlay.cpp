@@ -67,25 +67,34 @@ Image tinted(const Image& image, const Image& mask) {
   return colour;
 }
 
+void draw_verticals(Canvas& canvas, std::span<const VerticalLine> verticals, double stroke) {
+  for (const VerticalLine& line : verticals)
+    canvas.line(on_canvas(line.top_px), on_canvas(line.bottom_px), {kCyan, stroke});
+  for (const VerticalLine& line : verticals)
+    if (line.has_floor_point) canvas.disc(on_canvas(line.bottom_px), 2 * stroke, kRed);
+}
+
+void draw_base_lines(Canvas& canvas, const BaseLines& lines, double stroke) {
+  if (lines.left) canvas.polyline(on_canvas(*lines.left), {kMagenta, stroke});
+  if (lines.right) canvas.polyline(on_canvas(*lines.right), {kOrange, stroke});
+  if (lines.vanishing_point_px)
+    canvas.ring(on_canvas(*lines.vanishing_point_px), 3 * stroke, {kYellow, stroke});
+}
+
 }  // namespace
 
 std::string verticals_overlay_png(const Image& image, std::span<const VerticalLine> verticals) {
-  const double stroke = stroke_px(image);
-  return overlay_png(image, [&](Canvas& canvas) {
-    for (const VerticalLine& line : verticals)
-      canvas.line(on_canvas(line.top_px), on_canvas(line.bottom_px), {kCyan, stroke});
-    for (const VerticalLine& line : verticals)
-      if (line.has_floor_point) canvas.disc(on_canvas(line.bottom_px), 2 * stroke, kRed);
-  });
+  return overlay_png(image, [&](Canvas& canvas) { draw_verticals(canvas, verticals, stroke_px(image)); });
 }
 
 std::string base_lines_overlay_png(const Image& image, const BaseLines& lines) {
-  const double stroke = stroke_px(image);
-  return overlay_png(image, [&](Canvas& canvas) {
-    if (lines.left) canvas.polyline(on_canvas(*lines.left), {kMagenta, stroke});
-    if (lines.right) canvas.polyline(on_canvas(*lines.right), {kOrange, stroke});
-    if (lines.vanishing_point_px)
-      canvas.ring(on_canvas(*lines.vanishing_point_px), 3 * stroke, {kYellow, stroke});
+  return overlay_png(image, [&](Canvas& canvas) { draw_base_lines(canvas, lines, stroke_px(image)); });
+}
+
+std::string features_overlay_png(const Image& image, const FoundLines& lines, const Image& floor) {
+  return overlay_png(tinted(image, floor), [&](Canvas& canvas) {
+    draw_verticals(canvas, lines.verticals, 0.75 * stroke_px(image));
+    draw_base_lines(canvas, lines.base_lines, stroke_px(image));
   });
 }
 

@@ -56,6 +56,11 @@ Result<std::unique_ptr<ImageSequence>> open_image_csv(const fs::path& file,
   return checked_sequence(std::move(*list));
 }
 
+std::vector<fs::path> listless_images(const fs::path& folder) {
+  if (!files_in_natural_order(folder, is_csv).empty()) return {};
+  return files_in_natural_order(folder, is_image);
+}
+
 Result<std::unique_ptr<ImageSequence>> open_image_folder(const fs::path& folder,
                                                          const ImageSequenceOptions& options) {
   const std::vector<fs::path> lists = files_in_natural_order(folder, is_csv);

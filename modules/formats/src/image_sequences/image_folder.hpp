@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "aisle/core/result.hpp"
 #include "aisle/formats/image_sequences/image_sequence.hpp"
@@ -22,5 +23,8 @@ Result<std::unique_ptr<ImageSequence>> open_image_csv(const std::filesystem::pat
 /// By its list if it has one; else all its images in natural order, which needs a rate.
 Result<std::unique_ptr<ImageSequence>> open_image_folder(const std::filesystem::path& folder,
                                                          const ImageSequenceOptions& options);
+
+/// The images of a folder in natural order; none if it has a list.
+std::vector<std::filesystem::path> listless_images(const std::filesystem::path& folder);
 
 }  // namespace aisle

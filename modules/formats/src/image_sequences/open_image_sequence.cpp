@@ -42,4 +42,11 @@ Result<std::unique_ptr<ImageSequence>> open_image_sequence(const std::string& re
                  "folder of images, or a ROS bag"};
 }
 
+std::vector<fs::path> images_in_folder(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error) || is_tub(folder)) return {};
+  if (!files_in_natural_order(folder, has_bag_name).empty()) return {};
+  return listless_images(folder);
+}
+
 }  // namespace aisle

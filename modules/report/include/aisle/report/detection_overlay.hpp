@@ -7,6 +7,7 @@
 
 #include "aisle/core/image.hpp"
 #include "aisle/vision/floor/base_lines.hpp"
+#include "aisle/vision/floor/line_finder.hpp"
 #include "aisle/vision/lines/vertical_lines.hpp"
 #include "aisle/vision/route/route_region.hpp"
 #include "aisle/vision/stripes/laser_stripes.hpp"
@@ -26,5 +27,10 @@ std::string stripes_overlay_png(const Image& image, std::span<const LaserStripe>
 /// @return a PNG file
 std::string region_overlay_png(const Image& image, const RouteRegion& region,
                                const std::optional<RouteMiddle>& middle);
+
+/// All that a vehicle drives by, in one drawing: the free floor green, wall-floor edges as above, vertical
+/// lines cyan, their floor points red. @param floor  as large as the image: not 0 on the free floor
+/// @return a PNG file
+std::string features_overlay_png(const Image& image, const FoundLines& lines, const Image& floor);
 
 }  // namespace aisle

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "aisle/core/result.hpp"
 #include "aisle/formats/logs/laser_recording.hpp"
@@ -73,5 +75,9 @@ struct ImageSequenceOptions {
 /// its content; docs/formats/image-sequences.md. A recording without a single usable image is a problem.
 Result<std::unique_ptr<ImageSequence>> open_image_sequence(const std::string& recording,
                                                            const ImageSequenceOptions& options = {});
+
+/// The images of a folder that is nothing but a folder of images, in natural order of their names; they may
+/// have any size. Empty if it has none, or is a recording of another kind.
+std::vector<std::filesystem::path> images_in_folder(const std::filesystem::path& folder);
 
 }  // namespace aisle
