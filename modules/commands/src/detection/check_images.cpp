@@ -156,7 +156,7 @@ Result<Outcome> run_check_images(const CheckImagesOptions& options, Console& con
   const auto written = directory->write(findings->overlays);
   if (!written) return written.problems();
   outcome.files = *written;
-  outcome.text += fmt::format("\n{} overlays in {}\n", names.size(), options.out->string());
+  outcome.text += fmt::format("\nsee {} ({} of the images)\n", options.out->string(), names.size());
   return outcome;
 }
 
