@@ -240,7 +240,7 @@ class ManyTrips {
     RefinedBuilding refined = refined_building(now_, trip.building, {});
     if (!is_of_building(refined.overlap, {})) return "too few of its walls are the building's";
     changes_ = changes_between(now_, trip.building, {});
-    used_share_ = static_cast<double>(trip.used) / static_cast<double>(trip.scans);
+    found_share_ = static_cast<double>(trip.found) / static_cast<double>(trip.scans);
     now_ = std::move(refined.building);
     return {};
   }
@@ -250,10 +250,11 @@ class ManyTrips {
     fmt::print("  after {}: ", trip);
     print_error(error, building_json(now_).size());
     fmt::print(
-        "    {:.1f} % of the first map's true walls; slowest step {:.2f} s; of this trip {:.0f} % of the "
-        "scans "
-        "used, {:.1f} m new, {:.1f} m gone; its own map: {:.2f} cm mean, {:.2f} cm rms, {:.1f} m ghosts\n",
-        100 * kept_share(first_, now_, truth_pattern_, T_world_map_), slowest_s_, 100 * used_share_,
+        "    {:.1f} % of the first map's true walls; slowest step {:.2f} s; of this trip found at {:.0f} % "
+        "of "
+        "the scans, {:.1f} m new, {:.1f} m gone; its own map: {:.2f} cm mean, {:.2f} cm rms, {:.1f} m "
+        "ghosts\n",
+        100 * kept_share(first_, now_, truth_pattern_, T_world_map_), slowest_s_, 100 * found_share_,
         changes_.length_m(WallChange::kNew), changes_.length_m(WallChange::kGone), 100 * single_.mean_m,
         100 * single_.rms_m, single_.ghost_m);
     std::fflush(stdout);
@@ -278,7 +279,7 @@ class ManyTrips {
   BuildingChanges changes_;
   Pose2 T_world_map_;
   WallError single_;
-  double used_share_ = 0;
+  double found_share_ = 0;
   double slowest_s_ = 0;  ///< processor time of taking in a trip
 };
 

@@ -31,7 +31,7 @@ TEST_F(RefineWalls, AnotherTripConfirmsTheBuildingAndItsFrame) {
   ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
   const auto figures = run.json()["figures"];
   const auto& trip = figures["trips"][0];
-  EXPECT_GT(trip["used"].get<double>() / trip["scans"].get<double>(), 0.5);
+  EXPECT_GT(trip["found"].get<double>() / trip["scans"].get<double>(), 0.5);
   EXPECT_GT(trip["agreement"], 0.85);
   EXPECT_LT(trip["corrected_m"], 0.03);
   EXPECT_THAT(trip["doors"], IsEmpty());

@@ -172,10 +172,8 @@ class Refinement {
     }
   }
 
-  /// Moves a wall's line towards where the trip saw it, as far as that is off by more than the trip's own
-  /// error: less may be the trip's, always the same way, and would carry walls off over many trips. Both are
-  /// weighed in trips: the wall by what it is known to, at most so many as are remembered, the trip by how
-  /// much of the wall it saw.
+  /// Moves a wall's line towards where the trip saw it. Both are weighed in trips: the wall by what it is
+  /// known to, at most so many as are remembered, the trip by how much of the wall it saw.
   void correct(Wall& wall) {
     const LineResiduals residuals(wall, now_, T_map_trip_);
     if (residuals.seen_share() <= 0) return;
@@ -185,19 +183,12 @@ class Refinement {
     const double share = weight / (before + weight);
     const auto [off_m, turn_rad] = residuals.fit(!wall.is_orthogonal);
     const Vec2 middle = wall.segment.midpoint(), half = (wall.segment.end - wall.segment.start) / 2;
-    const double surely_m = beyond(off_m, params_.trip_sigma_m);
-    const double surely_rad = beyond(turn_rad, params_.trip_sigma_m / half.norm());
-    const Vec2 aside = left_normal(half.normalized()) * (share * surely_m);
-    const Vec2 turned = rotation(share * surely_rad) * half;
+    const Vec2 aside = left_normal(half.normalized()) * (share * off_m);
+    const Vec2 turned = rotation(share * turn_rad) * half;
     wall.segment = {middle + aside - turned, middle + aside + turned};
     wall.sigma_m = params_.trip_sigma_m / std::sqrt(std::min(before + weight, remembered));
     corrected_m_ += 2 * half.norm();
     squares_ += 2 * half.norm() * aside.squaredNorm();
-  }
-
-  /// How far a value is beyond a limit, to either side.
-  static double beyond(double value, double limit) {
-    return std::copysign(std::max(0.0, std::abs(value) - limit), value);
   }
 
   const RefinementParams& params_;

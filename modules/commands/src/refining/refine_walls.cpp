@@ -30,11 +30,11 @@ struct TakenTrip {
 };
 
 Json trip_figures(const std::filesystem::path& recording, const TripMap& trip) {
-  const double share = trip.scans > 0 ? static_cast<double>(trip.used) / static_cast<double>(trip.scans) : 0;
+  const double share = trip.scans > 0 ? static_cast<double>(trip.found) / static_cast<double>(trip.scans) : 0;
   return {{"recording", recording.string()},
           {"scans", trip.scans},
-          {"used", trip.used},
-          {"used_share", rounded(share, 4)},
+          {"found", trip.found},
+          {"found_share", rounded(share, 4)},
           {"path_m", rounded(trip.path_m, 2)},
           {"times_lost", trip.times_lost}};
 }
@@ -104,8 +104,8 @@ Json building_figures(const Building& building) {
 
 std::string trip_text(const Json& trip) {
   std::string text =
-      fmt::format("{}: {} of {} scans used, {:.0f} m of path; lost {} times\n",
-                  trip["recording"].get<std::string>(), trip["used"].get<int>(), trip["scans"].get<int>(),
+      fmt::format("{}: found at {} of {} scans, along {:.0f} m of path; lost {} times\n",
+                  trip["recording"].get<std::string>(), trip["found"].get<int>(), trip["scans"].get<int>(),
                   trip["path_m"].get<double>(), trip["times_lost"].get<int>());
   if (!trip.contains("evidence_m")) return text;
   const Json& evidence = trip["evidence_m"];

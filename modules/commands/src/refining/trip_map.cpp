@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
-#include "aisle/learning/walls/known_pose_mapping.hpp"
+#include "aisle/learning/walls/floor_of_log.hpp"
+#include "aisle/learning/walls/map_building.hpp"
+#include "aisle/merging/map_alignment.hpp"
+#include "aisle/merging/moved_building.hpp"
 #include "localisation/log_localisation.hpp"
 
 namespace aisle {
@@ -34,6 +37,28 @@ double path_along(const std::vector<std::optional<Pose2>>& poses) {
   return sum_m;
 }
 
+/// Where the trip's own map lies in the building, by the pose in the middle of those that can be relied on.
+Pose2 place_of_map(const MapResult& map, const std::vector<std::optional<Pose2>>& reliable) {
+  std::vector<std::size_t> scans;
+  for (std::size_t i = 0; i < reliable.size(); ++i) {
+    if (reliable[i]) scans.push_back(i);
+  }
+  const std::size_t scan = scans[scans.size() / 2];
+  return *reliable[scan] * map.T_map_vehicle[scan].inverse();
+}
+
+/// The map that the trip makes alone, laid onto the building's walls.
+Building laid_map(const SettledLog& log, const Building& building,
+                  const std::vector<std::optional<Pose2>>& reliable, Progress& progress) {
+  const MapResult map = build_map(log.log, {}, log.known, false, progress);
+  const Building alone{.name = building.name,
+                       .has_dominant_direction = map.has_dominant_direction,
+                       .walls = map.walls,
+                       .floor = floor_of_log(log.log, map.T_map_vehicle)};
+  const MapPlacement laid = settle_map(MapPattern(building), MapPattern(alone), place_of_map(map, reliable));
+  return moved_building(alone, laid.T_fixed_moved, building.floor->cell_m());
+}
+
 std::string why_not_found(const Localiser& localiser, bool was_found) {
   if (was_found) return "the vehicle was lost wherever it seemed to be found";
   if (localiser.state() == LocaliserState::kNotHere) return "what it saw fits nowhere in the building";
@@ -52,17 +77,14 @@ TripMap trip_map(const SettledLog& log, const Building& building, const Localise
   const auto reliable = reliable_poses(poses);
   TripMap trip{.building = {.name = building.name}, .scans = log.log.scans.size(), .why_not = {}};
   for (const FoundSpan& span : poses.found) trip.times_lost += span.ended_lost ? 1 : 0;
-  trip.used = static_cast<std::size_t>(
+  trip.found = static_cast<std::size_t>(
       std::count_if(reliable.begin(), reliable.end(), [](const auto& pose) { return pose.has_value(); }));
   trip.path_m = path_along(reliable);
-  if (trip.used == 0) {
+  if (trip.found == 0) {
     trip.why_not = why_not_found(localiser, !poses.found.empty());
     return trip;
   }
-  KnownPoseMap seen = map_at_poses(log.log, reliable, building.has_dominant_direction, {});
-  trip.building.has_dominant_direction = building.has_dominant_direction;
-  trip.building.walls = std::move(seen.walls);
-  trip.building.floor = std::move(seen.floor);
+  trip.building = laid_map(log, building, reliable, progress);
   return trip;
 }
 

@@ -13,14 +13,14 @@ namespace aisle {
 struct TripMap {
   Building building;  ///< its walls and floor, in the building's frame
   std::size_t scans = 0;
-  std::size_t used = 0;  ///< of them, at which the vehicle was surely known to be somewhere
+  std::size_t found = 0;  ///< of them, at which the vehicle was surely known to be somewhere
   int times_lost = 0;
-  double path_m = 0;    ///< driven along those that were used
-  std::string why_not;  ///< why none were used; empty: some were
+  double path_m = 0;    ///< driven along those at which it was
+  std::string why_not;  ///< why there are none; empty: there are some
 };
 
-/// Finds the vehicle of a log in a building, and draws what it saw from where it was found. The last metres
-/// before it was lost are not used, nor is a place where it was found and soon lost again.
+/// Finds the vehicle of a log in a building, and lays the map that the log makes alone onto the building. The
+/// last metres before it was lost do not count as found, nor does a place where it was soon lost again.
 /// @param building  with walls and a floor
 TripMap trip_map(const SettledLog& log, const Building& building, const LocaliserParams& params,
                  const std::optional<Pose2>& T_map_hint, Progress& progress);

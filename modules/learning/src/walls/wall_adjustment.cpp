@@ -83,10 +83,6 @@ void WallAdjustment::run(int rounds) {
   }
 }
 
-void WallAdjustment::find_walls() {
-  associate_all(kFirstGate_m);
-}
-
 void WallAdjustment::find_near(const PlacedSegment& placed, double margin_m) {
   index_.query(placed.segment.start, placed.segment.end, margin_m, near_);
 }

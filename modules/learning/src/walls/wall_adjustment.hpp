@@ -23,8 +23,6 @@ class WallAdjustment {
                  bool orthogonal);
 
   void run(int rounds);
-  /// Finds the walls as the initial poses show them; the poses stay.
-  void find_walls();
 
   const std::vector<Pose2>& T_map_sensor() const { return T_map_sensor_; }
   /// The walls used, with the number of segments on each as `sightings`.

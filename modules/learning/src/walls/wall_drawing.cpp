@@ -259,8 +259,7 @@ WallMap draw_walls(const std::vector<WallEstimate>& walls, std::span<const WallS
   drawing.add_sightings(sightings);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     drawing.add_beams(scans[i]);
-    if (i > 0 && scans[i].follows)
-      drawing.add_drive(scans[i - 1].T_map_laser.position(), scans[i].T_map_laser.position());
+    if (i > 0) drawing.add_drive(scans[i - 1].T_map_laser.position(), scans[i].T_map_laser.position());
   }
   double path_m = scans.empty() ? 0 : scans.back().path_m;
   for (const WallSighting& s : sightings) path_m = std::max(path_m, s.path_m);

@@ -22,8 +22,7 @@ struct PlacedScan {
   Pose2 T_map_laser;
   double path_m = 0;
   const LaserScan* scan = nullptr;
-  LaserScanner laser;   ///< that took it, with the scan's beams
-  bool follows = true;  ///< the vehicle drove here from the scan before; else nobody knows how it came here
+  LaserScanner laser;  ///< that took it, with the scan's beams
 };
 
 /// Draws the final map: walls on one line that touch become one; of two that lie on one another the one seen

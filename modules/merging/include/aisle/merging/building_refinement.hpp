@@ -10,7 +10,7 @@
 namespace aisle {
 
 struct RefinementParams {
-  double trip_sigma_m = 0.01;  ///< of a wall's position, as one trip shows it: of the trip's poses
+  double trip_sigma_m = 0.01;  ///< of a wall's position, as one trip shows it
   int trips_remembered = 10;   ///< a wall's position weighs no more than so many trips: old errors fade
   double denied_m = 0.15;      ///< the trip's free floor this far from everything denies a wall
   double common_min_m = 6;     ///< walls that the trip must have in common with the building
@@ -45,12 +45,11 @@ struct RefinedBuilding {
 bool is_of_building(const MapOverlap& overlap, const RefinementParams& params);
 
 /// Takes a trip's map into a building; both lie in the building's frame, and have a floor
-/// (std::invalid_argument). A wall that the trip saw again is moved towards where the trip saw it, by its
-/// share of what is known of it and as far as that is beyond the trip's own error, and its evidence grows; a
-/// wall that the trip saw through loses evidence, piece by piece, and goes when none is left; a wall that is
-/// new begins with one trip's evidence. What the trip did not see stays. Floor is as the trip saw it, but
-/// where both draw one surface a little apart. Everything else of the building stays as it is. The size does
-/// not grow with the number of trips.
+/// (std::invalid_argument). A wall that the trip saw again is moved towards where the trip saw it, by the
+/// trip's share of what is known of it, and its evidence grows; a wall that the trip saw through loses
+/// evidence, piece by piece, and goes when none is left; a wall that is new begins with one trip's evidence.
+/// What the trip did not see stays. Floor is as the trip saw it, but where both draw one surface a little
+/// apart. Everything else of the building stays as it is. The size does not grow with the number of trips.
 RefinedBuilding refined_building(const Building& old, const Building& trip, const RefinementParams& params);
 
 }  // namespace aisle

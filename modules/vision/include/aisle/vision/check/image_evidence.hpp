@@ -20,9 +20,8 @@ struct ImageQuality {
   double blur_down = 0;     ///< the same from row to row
 };
 
-/// Blur is Crete's: how little of the steps between neighbouring pixels is lost when the image, shrunk to 640
-/// columns if it is wider, is blurred once more. Noise hides blur.
-/// @cite Crete2007
+/// Blur is that of Crete et al. (2007): how little of the steps between neighbouring pixels is lost when the
+/// image, shrunk to 640 columns if it is wider, is blurred once more. Noise hides blur.
 ImageQuality image_quality(const Image& grey);
 
 /// A wall-floor edge against the free floor, which is found by other means.
