@@ -97,6 +97,7 @@ class Refinement {
     const std::vector<WallChange> fates = fates_along(wall, now_, WallChange::kGone, params_.denied_m);
     correct(wall);
     std::vector<int> evidence;
+    evidence.reserve(fates.size());
     for (const WallChange fate : fates) evidence.push_back(evidence_after(wall.evidence, fate));
     for_each_run(evidence, [&](std::size_t first, std::size_t end) {
       keep(piece_of(wall, first, end, evidence.size()), wall.evidence, evidence[first]);
