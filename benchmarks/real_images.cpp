@@ -397,6 +397,17 @@ Score agreement(const std::vector<CheckedView>& set, const ViewCheckParams& para
                       set.size(), good, false_good, right)};
 }
 
+/// @param feature  that the check calls good or not
+void print_check_left_out(const char* title, const Sets<CheckedView>& sets,
+                          const std::vector<std::pair<std::string, ViewCheckParams>>& settings,
+                          bool GoodViews::*feature) {
+  print_left_out(title,
+                 scores_of<CheckedView, ViewCheckParams>(
+                     sets, settings, [&](const std::vector<CheckedView>& set, const ViewCheckParams& params) {
+                       return agreement(set, params, feature);
+                     }));
+}
+
 void measure_check_of_edges(const fs::path& images) {
   Sets<CheckedView> sets;
   ImageExaminer examiner;
@@ -417,11 +428,7 @@ void measure_check_of_edges(const fs::path& images) {
       settings.emplace_back(fmt::format("floor_beneath_min {:g}, horizon_apart_max {:g}", beneath, apart),
                             params);
     }
-  print_left_out("check of the right wall-floor edge",
-                 scores_of<CheckedView, ViewCheckParams>(
-                     sets, settings, [](const std::vector<CheckedView>& set, const ViewCheckParams& params) {
-                       return agreement(set, params, &GoodViews::right_edge);
-                     }));
+  print_check_left_out("check of the right wall-floor edge", sets, settings, &GoodViews::right_edge);
 }
 
 void measure_check_of_floor(const fs::path& images) {
@@ -443,11 +450,7 @@ void measure_check_of_floor(const fs::path& images) {
       settings.emplace_back(fmt::format("floor_overlap_min {:g}, floor_beyond_max {:g}", overlap_min, beyond),
                             params);
     }
-  print_left_out("check of the free floor",
-                 scores_of<CheckedView, ViewCheckParams>(
-                     sets, settings, [](const std::vector<CheckedView>& set, const ViewCheckParams& params) {
-                       return agreement(set, params, &GoodViews::floor);
-                     }));
+  print_check_left_out("check of the free floor", sets, settings, &GoodViews::floor);
 }
 
 void measure_all(const fs::path& images) {
