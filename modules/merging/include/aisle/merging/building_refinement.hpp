@@ -49,7 +49,8 @@ bool is_of_building(const MapOverlap& overlap, const RefinementParams& params);
 /// trip's share of what is known of it, and its evidence grows; a wall that the trip saw through loses
 /// evidence, piece by piece, and goes when none is left; a wall that is new begins with one trip's evidence.
 /// What the trip did not see stays. Floor is as the trip saw it, but where both draw one surface a little
-/// apart. Everything else of the building stays as it is. The size does not grow with the number of trips.
+/// apart. Everything else of the building stays as it is. Walls that one trip alone saw go with the next, so
+/// the size is bounded by what stands in the building.
 RefinedBuilding refined_building(const Building& old, const Building& trip, const RefinementParams& params);
 
 }  // namespace aisle
