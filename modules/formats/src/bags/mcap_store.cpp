@@ -106,14 +106,17 @@ RecordStore::Step McapStore::read_message(ByteStream& bytes, std::uint64_t size,
   if (size < kMcapMessageHead_bytes) return Step::kDamaged;
   if (head.size() < kMcapRecordHead_bytes + kMcapMessageHead_bytes) return Step::kCut;
   const auto channel = channels_.find(number_at<std::uint16_t>(head, kMcapRecordHead_bytes));
-  const auto stamp = static_cast<ros::Stamp_ns>(number_at<std::uint64_t>(head, kMcapRecordHead_bytes + 6));
+  const auto stamp_ns = number_at<std::uint64_t>(head, kMcapRecordHead_bytes + 6);
+  const bool is_dated = stamp_ns < std::uint64_t{ros::kStampEnd_ns};
+  if (!is_dated) warn("messages whose stamp is 2^62 ns or more are left out");
   if (channel == channels_.end()) warn("messages whose channel is not described are left out");
-  if (channel == channels_.end() || channel->second == kUnread) {
+  if (!is_dated || channel == channels_.end() || channel->second == kUnread) {
     bytes.skip(kMcapRecordHead_bytes + size);
     return Step::kOther;
   }
   bytes.skip(kMcapRecordHead_bytes + kMcapMessageHead_bytes);
-  return take_message(bytes, channel->second, stamp, size - kMcapMessageHead_bytes, message);
+  return take_message(bytes, channel->second, static_cast<ros::Stamp_ns>(stamp_ns),
+                      size - kMcapMessageHead_bytes, message);
 }
 
 void McapStore::read_schema(std::string_view record) {
@@ -168,7 +171,9 @@ std::optional<BagStore::Survey> McapStore::summary() {
   survey.messages = static_cast<long>(fields.number<std::uint64_t>());
   fields.number<std::uint16_t>();  // schemas; then channels, attachments, metadata, chunks
   for (int i = 0; i < 4; ++i) fields.number<std::uint32_t>();
-  survey.first = static_cast<ros::Stamp_ns>(fields.number<std::uint64_t>());
+  const auto first_ns = fields.number<std::uint64_t>();
+  if (first_ns >= std::uint64_t{ros::kStampEnd_ns}) return std::nullopt;
+  survey.first = static_cast<ros::Stamp_ns>(first_ns);
   fields.number<std::uint64_t>();  // last stamp
   std::vector<std::pair<std::size_t, std::int64_t>> counts;
   McapFields pairs(fields.text());

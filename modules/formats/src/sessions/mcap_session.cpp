@@ -10,8 +10,6 @@
 namespace aisle {
 namespace {
 
-constexpr ros::Stamp_ns kMcapStampEnd_ns = ros::Stamp_ns{1} << 62;
-
 bool begins_with_magic(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string begin(kMcapMagic.size(), '\0');
@@ -31,14 +29,11 @@ class McapWalk {
  public:
   explicit McapWalk(BagReader bag) : bag_(std::move(bag)) {}
 
-  /// A message that is before the one ahead of it, or has no stamp that a session may have, is a problem.
+  /// A message that is before the one ahead of it is a problem.
   Result<std::optional<BagReader::Message>> next(const std::filesystem::path& path) {
     auto message = bag_.next();
     if (!message || !*message) return message;
     const ros::Stamp_ns stamp = (*message)->log_stamp;
-    if (stamp < 0 || stamp >= kMcapStampEnd_ns)
-      return Problem{{path.string()},
-                     fmt::format("has a message with the stamp {} ns; 0 to 2^62 is read", stamp)};
     if (stamp < stamp_)
       return Problem{{path.string(), (*message)->number},
                      "this message is older than the one before: a session is in the order of its stamps"};

@@ -7,7 +7,6 @@
 namespace aisle {
 namespace {
 
-constexpr ros::Stamp_ns kStampEnd_ns = ros::Stamp_ns{1} << 62;
 constexpr std::size_t kTopicsMax = 10000;
 
 /// Tables with rows of their own: no views, no virtual tables, no columns that are computed.
@@ -58,7 +57,7 @@ Result<std::size_t> SessionTables::index_of(std::int64_t topic_id) const {
 }
 
 Result<ros::Stamp_ns> SessionTables::stamp_of(std::int64_t timestamp) const {
-  if (timestamp >= 0 && timestamp < kStampEnd_ns) return timestamp;
+  if (timestamp >= 0 && timestamp < ros::kStampEnd_ns) return timestamp;
   return damaged(fmt::format("has a message with the stamp {} ns; 0 to 2^62 is read", timestamp));
 }
 

@@ -220,6 +220,17 @@ TEST(BagReader, MessagesThatWereCompressedOneByOneAreUnpacked) {
   EXPECT_EQ(read_bag(place / "bag.db3").texts, expected_texts(5));
 }
 
+TEST(BagReader, MessagesWhoseStampIsBeyondAllTimesAreLeftOutAndSaid) {
+  const SessionPlace place;
+  auto messages = texts(5);
+  messages[3].log_stamp = ros::kStampEnd_ns;
+  messages[4].log_stamp = -1;  // MCAP's stamps have no sign: almost 2^64
+  write_file(place / "bag.mcap", mcap_bytes(messages));
+  const ReadBag read = read_bag(place / "bag.mcap");
+  EXPECT_EQ(read.texts, expected_texts(3));
+  EXPECT_THAT(read.warnings, HasSubstr("messages whose stamp is 2^62 ns or more are left out"));
+}
+
 TEST(BagReader, OtherCompressionsAndSerialisationsAreRefusedByName) {
   const SessionPlace place;
   write_db3(place / "bag.db3", texts(5), 4, "protobuf");

@@ -9,6 +9,9 @@ namespace aisle::ros {
 /// Nanoseconds since the clock's epoch: the stamp of a session's messages.
 using Stamp_ns = std::int64_t;
 
+/// A stamp that is recorded is 0 or more, and below this one (in the year 2116): differences never overflow.
+inline constexpr Stamp_ns kStampEnd_ns = Stamp_ns{1} << 62;
+
 /// To the nearest nanosecond.
 /// @param stamp_s  0 to 2^31
 /// @throws std::invalid_argument outside this range
