@@ -126,6 +126,7 @@ void add_convert_verb(CLI::App& app, Work& work) {
                         {"picture", PlanKind::kImage},
                         {"drawing", PlanKind::kDrawing},
                         {"map_server", PlanKind::kMapServer},
+                        {"bee", PlanKind::kBeeMap},
                         {"maze", PlanKind::kMaze}},
                        "format of PLAN (default: detected from its content)");
   add_resolution(*verb, options->resolution_m);

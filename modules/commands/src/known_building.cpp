@@ -7,7 +7,7 @@
 
 #include "aisle/commands/plan_reading.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
-#include "aisle/formats/images/map_server.hpp"
+#include "aisle/formats/images/bee_map.hpp"
 #include "aisle/simulation/plans/plan_tracing.hpp"
 
 namespace aisle {
@@ -93,14 +93,14 @@ Result<Building> building_of_map(const PlanReading& map, std::string name, Progr
   return building;
 }
 
-Result<Building> read_map_building(const std::filesystem::path& yaml, Console& console) {
-  const auto map = read_map_server(yaml);
+Result<Building> read_map_building(const std::filesystem::path& path, Console& console) {
+  const auto map = read_cell_map(path);
   if (!map) return map.problems();
   warn_of(map->warnings, console);
-  auto building = building_of_map(*map, yaml.stem().string(), console.progress);
-  if (!building) return at_file(building.problems(), yaml.string());
+  auto building = building_of_map(*map, path.stem().string(), console.progress);
+  if (!building) return at_file(building.problems(), path.string());
   if (building->walls.walls.empty() && building->floor->count(Floor::kOccupied) == 0)
-    return Problem{{yaml.string()}, "shows no walls"};
+    return Problem{{path.string()}, "shows no walls"};
   return building;
 }
 

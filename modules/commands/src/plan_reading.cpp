@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "aisle/formats/file_contents.hpp"
+#include "aisle/formats/images/bee_map.hpp"
 #include "aisle/formats/images/map_server.hpp"
 #include "aisle/formats/images/plan_drawing.hpp"
 #include "aisle/formats/images/plan_image.hpp"
@@ -69,7 +70,8 @@ Result<World> world_of_floor(Result<PlanReading> read, const PlanOptions& option
   const std::string name = options.plan.string();
   warn_of(read->warnings, console);
   FloorPlan& plan = read->plan;
-  if (options.from != PlanKind::kMapServer) read_symbols(plan, name, console);
+  if (options.from != PlanKind::kMapServer && options.from != PlanKind::kBeeMap)
+    read_symbols(plan, name, console);
   if (const int specks = clean_plan(plan, {.speck_m = options.speck_m}); specks > 0)
     console.warn(fmt::format("{}: {} specks removed, as --speck says", name, specks));
   const auto walls = trace_plan(plan, options.tracing, console.progress);
@@ -116,7 +118,7 @@ Problem no_plan(const std::string& name, const std::string& contents) {
   const bool is_building = contents.find("building") != std::string::npos;
   return {{name},
           fmt::format("is {}; {}plans are images (PNG, JPEG, PGM, PBM, PPM, BMP, TIFF, WebP), drawings (SVG, "
-                      "PDF, DXF), map_server YAML, wall segments and mazes (docs/formats/plan.md)",
+                      "PDF, DXF), map_server YAML, Bee maps, wall segments and mazes (docs/formats/plan.md)",
                       contents, is_building ? "`aisle go` drives in one. " : "")};
 }
 
@@ -142,6 +144,8 @@ Result<World> walls_of_plan(PlanOptions options, Console& console) {
           options, console);
     case PlanKind::kMapServer:
       return world_of_floor(read_map_server(options.plan), options, console);
+    case PlanKind::kBeeMap:
+      return world_of_floor(parse_bee_map(*bytes, name), options, console);
     case PlanKind::kMaze:
     case PlanKind::kAny:
       break;
@@ -165,6 +169,7 @@ PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes)
     return PlanKind::kImage;
   }
   if (drawing_kind_of(bytes)) return PlanKind::kDrawing;
+  if (begins_bee_map(bytes)) return PlanKind::kBeeMap;
   if (is_yaml(name)) return PlanKind::kMapServer;
   return begins_with_wall_segment(bytes) ? PlanKind::kSegments : PlanKind::kMaze;
 }

@@ -12,6 +12,7 @@
 #include "aisle/formats/bags/bag_reader.hpp"
 #include "aisle/formats/bags/laser_bag.hpp"
 #include "aisle/formats/file_contents.hpp"
+#include "aisle/formats/logs/bee_log.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
 #include "aisle/formats/logs/counted_log.hpp"
 #include "aisle/formats/logs/laser_csv.hpp"
@@ -24,9 +25,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kWhatIsRead =
-    "recordings are CARMEN logs, MRPT rawlogs, CSV, CoreSLAM and Lego logs (each plain, gzip or bzip2), and "
-    "ROS "
-    "bags (.bag, .db3, .mcap)";
+    "recordings are CARMEN logs, MRPT rawlogs, CSV, CoreSLAM, Lego and Bee logs (each plain, gzip or bzip2), "
+    "and ROS bags (.bag, .db3, .mcap)";
 
 Problem other_kind(const fs::path& path, std::string_view head) {
   return {{path.string()}, fmt::format("is {}; {}", describe_contents(head), kWhatIsRead)};
@@ -55,6 +55,8 @@ Result<LaserRecording> parse_of_kind(RecordingKind kind, std::string_view bytes,
       return parse_coreslam_log(bytes, path.string(), options);
     case RecordingKind::kLego:
       return parse_lego_log({{std::string(bytes)}}, path.string(), options);
+    case RecordingKind::kBee:
+      return parse_bee_log(bytes, path.string(), options);
     case RecordingKind::kOther:
       break;
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "aisle/formats/file_contents.hpp"
+#include "aisle/formats/logs/bee_log.hpp"
 #include "aisle/formats/logs/counted_log.hpp"
 #include "field_reader.hpp"
 #include "logs/laser_csv_columns.hpp"
@@ -32,6 +33,7 @@ RecordingKind recording_kind(std::string_view head) {
   if (is_tar_archive(head)) return RecordingKind::kOther;
   if (has_carmen_message(head)) return RecordingKind::kCarmen;
   if (begins_laser_csv(head)) return RecordingKind::kCsv;
+  if (begins_bee_log(head)) return RecordingKind::kBee;
   if (begins_coreslam_log(head)) return RecordingKind::kCoreslam;
   return begins_lego_log(head) ? RecordingKind::kLego : RecordingKind::kOther;
 }

@@ -4,7 +4,7 @@
 
 namespace aisle {
 
-enum class RecordingKind { kCarmen, kRawlog, kCsv, kCoreslam, kLego, kOther };
+enum class RecordingKind { kCarmen, kRawlog, kCsv, kCoreslam, kLego, kBee, kOther };
 
 /// How many of a file's first bytes tell its kind.
 inline constexpr std::size_t kRecordingHead = 1 << 18;

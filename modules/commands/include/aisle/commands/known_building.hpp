@@ -18,10 +18,11 @@ Floor floor_at(const PlanReading& map, const Vec2& p_map);
 /// Problem: it has more corners than any building.
 Result<Building> building_of_map(const PlanReading& map, std::string name, Progress& progress);
 
-/// The same of a map of map_server (YAML). Warnings go to the console. Problem: it shows no walls either.
-Result<Building> read_map_building(const std::filesystem::path& yaml, Console& console);
+/// The same of a map of map_server (YAML) or a Bee map. Warnings go to the console. Problem: it shows no
+/// walls either.
+Result<Building> read_map_building(const std::filesystem::path& path, Console& console);
 
-/// Reads a building file (JSON), or a map of map_server (YAML), told by the name. Warnings go to the console.
+/// Reads a building file (JSON), told by the name, or a map of others. Warnings go to the console.
 Result<Building> read_known_building(const std::filesystem::path& file, Console& console);
 
 }  // namespace aisle

@@ -20,6 +20,7 @@ enum class PlanKind {
   kImage,      ///< PBM, PGM, PNG: dark is wall
   kDrawing,    ///< SVG, PDF, DXF: what is drawn is wall
   kMapServer,  ///< map_server YAML with its image
+  kBeeMap,     ///< text of a Bee map
   kMaze,       ///< any of the maze formats: cells with walls on their sides
 };
 
