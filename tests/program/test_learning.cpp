@@ -70,6 +70,12 @@ TEST_F(Learning, ARouteIsTaughtOnceLearnedDrivenAloneReplayedAndRefined) {
   EXPECT_GT(refined["trips"][0]["matched_share"], 0.9);
   EXPECT_GE(refined["landmarks"], 20);
   EXPECT_LE(refined["landmarks"], learned["landmarks"]);
+
+  const ProgramRun refused = run_aisle({"refine", building, at("run"), "--units", "cm", "--scan", "/scan"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err,
+            "--scan: is for buildings without landmarks: a session says that itself\n"
+            "--units: is for buildings without landmarks: a session says that itself\n");
 }
 
 TEST_F(Learning, ATrialIsAWholeMissionWithItsStatistics) {

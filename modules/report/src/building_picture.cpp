@@ -26,6 +26,7 @@ constexpr Color kSeenLandmark{0.45, 0.22, 0.68};
 constexpr Pen kCorridorPen{kGraphLine, 3};
 constexpr Pen kDrivenPathPen{kPath, 1.25};
 constexpr Pen kLearnedWallPen{kInk, 2};
+constexpr Pen kUncertainWallPen{{0.13, 0.17, 0.22, 0.35}, 2};
 constexpr Pen kTaughtRoutePen{kTaughtRoute, 5};
 constexpr Pen kDrawnLinePen{kDrawnLine, 4};
 constexpr Pen kZonePen{kDrawnLine, 2};
@@ -114,10 +115,12 @@ class BuildingDrawing {
   }
 
   void draw_walls(Canvas& canvas) const {
-    std::vector<std::pair<Vec2, Vec2>> walls;
+    std::vector<std::pair<Vec2, Vec2>> certain, uncertain;
     for (const Wall& wall : building_.walls.walls)
-      walls.emplace_back(scale_.to_paper(wall.segment.start), scale_.to_paper(wall.segment.end));
-    canvas.lines(walls, kLearnedWallPen);
+      (wall.is_certain() ? certain : uncertain)
+          .emplace_back(scale_.to_paper(wall.segment.start), scale_.to_paper(wall.segment.end));
+    canvas.lines(uncertain, kUncertainWallPen);
+    canvas.lines(certain, kLearnedWallPen);
   }
 
   void draw_routes(Canvas& canvas) const {
@@ -234,7 +237,14 @@ class BuildingDrawing {
       legend.add("crossing", 2 * kNode_px,
                  [&](const Vec2& p) { draw_node(canvas, p, CorridorNode::Kind::kCrossing); });
     if (!building_.corridors.corridors.empty()) legend.add_line("corridor", kCorridorPen);
-    if (!building_.walls.walls.empty()) legend.add_line("wall", kLearnedWallPen);
+    if (has_walls(false)) legend.add_line("wall seen on one trip", kUncertainWallPen);
+    if (has_walls(true)) legend.add_line("wall", kLearnedWallPen);
+  }
+
+  bool has_walls(bool certain) const {
+    const auto& walls = building_.walls.walls;
+    return std::any_of(walls.begin(), walls.end(),
+                       [&](const Wall& wall) { return wall.is_certain() == certain; });
   }
 
   const BuildingPicture& picture_;

@@ -37,6 +37,14 @@ TEST(BuildingPicture, AnEmptyBuildingIsAnEmptyPicture) {
   EXPECT_THAT(png({.building = empty}), StartsWith("\x89PNG"));
 }
 
+TEST(BuildingPicture, AWallSeenOnOneTripIsFainterAndTheLegendSaysSo) {
+  constexpr const char* kFaint = "stroke-opacity:0.35";
+  Building building = any_building();
+  EXPECT_THAT(svg({.building = building}), Not(HasSubstr(kFaint)));
+  building.walls.walls.push_back({.segment = {{0, -1}, {10, -1}}, .evidence = 1});
+  EXPECT_THAT(svg({.building = building}), HasSubstr(kFaint));
+}
+
 TEST(BuildingPicture, SamePictureSameBytes) {
   const Building building = any_building();
   EXPECT_EQ(svg({.building = building}), svg({.building = building}));

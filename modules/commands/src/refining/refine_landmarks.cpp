@@ -49,12 +49,26 @@ Result<nlohmann::ordered_json> take_in(const std::filesystem::path& session,
                                 {"landmarks", building.landmarks.size()}};
 }
 
+/// What was said of laser recordings: a session says all of it itself.
+Problems options_of_recordings(const RefineOptions& options) {
+  Problems problems;
+  const auto refuse_if = [&](bool is_given, const char* option) {
+    if (is_given)
+      problems.push_back({{option}, "is for buildings without landmarks: a session says that itself"});
+  };
+  refuse_if(options.T_map_hint.has_value(), "--at");
+  refuse_if(!options.reading.scan_topic.empty(), "--scan");
+  refuse_if(!options.reading.odometry.empty(), "--odometry");
+  refuse_if(options.reading.unit != LengthUnit::kMetre, "--units");
+  refuse_if(options.reading.T_vehicle_laser.has_value(), "--laser-offset");
+  return problems;
+}
+
 }  // namespace
 
 Result<Outcome> refine_landmark_building(const RefineOptions& options, const LandmarkLearnerParams& params,
                                          Building building, Console& console) {
-  if (options.T_map_hint)
-    return Problem{{"--at"}, "is for buildings without landmarks: a session says where it began"};
+  if (Problems problems = options_of_recordings(options); !problems.empty()) return problems;
   auto truth = read_map_truth(options.building);
   if (!truth) return truth.problems();
   const auto directory = OutputDirectory::open_if_named(options.out, options.force, learned_file_names());
