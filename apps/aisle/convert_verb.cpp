@@ -81,8 +81,9 @@ MapPlace parse_named_place(const std::string& text) {
   if (equals == std::string::npos || equals == 0)
     throw CLI::ValidationError("--place", "'" + text + "' is not NAME=x,y or NAME=x,y,heading_deg (metres)");
   std::string pose = text.substr(equals + 1);
-  if (std::count(pose.begin(), pose.end(), ',') == 1) pose += ",0";
-  return {text.substr(0, equals), parse_place("--place", pose)};
+  const bool has_heading = std::count(pose.begin(), pose.end(), ',') != 1;
+  if (!has_heading) pose += ",0";
+  return {text.substr(0, equals), parse_place("--place", pose), has_heading};
 }
 
 /// @return the flag that asks for a building

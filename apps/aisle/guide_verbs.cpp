@@ -55,7 +55,8 @@ void add_go_verb(CLI::App& app, Work& work) {
   verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
   verb->add_option("PLACE", options->places,
                    "goal: name of a place or of a corridor node (\"end 1\"), x,y in the map frame [m], or "
-                   "x,y,heading_deg, at which it then turns; several are driven to in order; "
+                   "x,y,heading_deg; there it turns to the heading, if one is given or the place has one; "
+                   "several are driven to in order; "
                    "with --connect and without it: the goals of the robot's viewer, on /goal_pose");
   add_mission_options(*verb, *options);
   const LiveOption live(*verb);

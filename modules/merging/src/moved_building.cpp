@@ -95,7 +95,10 @@ Building moved_building(const Building& building, const Pose2& T_to_map, std::op
   }
   for (Route& route : moved.routes) route = moved_route(std::move(route), T_to_map);
   moved.corridors = moved_corridors(building.corridors, T_to_map);
-  for (MapPlace& place : moved.places) place.T_map_place = T_to_map * place.T_map_place;
+  for (MapPlace& place : moved.places) {
+    place.T_map_place = T_to_map * place.T_map_place;
+    if (!place.has_heading) place.T_map_place.theta = 0;
+  }
   for (Barrier& barrier : moved.barriers) barrier.segment = T_to_map * barrier.segment;
   for (Zone& zone : moved.zones) zone = moved_zone(std::move(zone), T_to_map);
   if (building.floor)

@@ -149,7 +149,8 @@ std::string free_name(const std::vector<Named>& taken, const std::string& name, 
 
 bool is_one_place(const MapPlace& a, const MapPlace& b) {
   const Pose2 off = between(a.T_map_place, b.T_map_place);
-  return a.name == b.name && off.position().norm() < kOnePlace_m && std::abs(off.theta) < kOnePlace_rad;
+  return a.name == b.name && a.has_heading == b.has_heading && off.position().norm() < kOnePlace_m &&
+         std::abs(off.theta) < kOnePlace_rad;
 }
 
 class Union {

@@ -11,7 +11,7 @@ constexpr Pose2 kQuarterTurn{10, 5, kPi / 2};
 
 Building furnished() {
   Building building = drawn::known(drawn::Plan({drawn::rect(0, 0, 8, 4)}));
-  building.places = {{"lift", {1, 2, 0}}};
+  building.places = {{"lift", {1, 2, 0}}, {"lab", {1, 2, 0}, false}};
   building.zones = {{.kind = Zone::Kind::kOneWay, .outline = {{1, 1}, {2, 1}, {2, 2}}, .direction_rad = 0}};
   building.barriers = {{Barrier::Kind::kGlass, {{3, 0}, {3, 4}}}};
   building.landmarks.add({.p_map = {4, 1}, .covariance = Vec2(4e-4, 1e-4).asDiagonal(), .seen_from = {1, 0}});
@@ -26,6 +26,7 @@ Building furnished() {
 TEST(MovedBuilding, EverythingMovesWithIt) {
   const Building moved = moved_building(furnished(), kQuarterTurn);
   EXPECT_THAT(moved.places[0].T_map_place, PoseNear(Pose2{8, 6, kPi / 2}, 1e-9, 1e-9));
+  EXPECT_THAT(moved.places[1].T_map_place, PoseNear(Pose2{8, 6, 0}, 1e-9, 1e-9)) << "it has no heading";
   EXPECT_THAT(moved.zones[0].outline[0], PointNear(Vec2(9, 6), 1e-9));
   EXPECT_NEAR(moved.zones[0].direction_rad, kPi / 2, 1e-9);
   EXPECT_THAT(moved.barriers[0].segment.end, PointNear(Vec2(6, 8), 1e-9));

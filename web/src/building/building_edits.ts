@@ -18,11 +18,17 @@ function check_name(places: readonly Place[], name: string): void {
   if (places.some((place) => place.name === name)) throw new Error(`there is a place named ${name} already`);
 }
 
-/** @throws Error as check_name */
-export function with_place(building: Building, name: string, at: Point, heading_deg: number): Building {
+/** @param heading_deg  undefined: how the vehicle stands there does not matter  @throws Error as check_name */
+export function with_place(
+  building: Building,
+  name: string,
+  at: Point,
+  heading_deg: number | undefined,
+): Building {
   const places = building.places ?? [];
   check_name(places, name);
-  return { ...building, places: [...places, { name, at_m: pair(at), heading_deg }] };
+  const heading = heading_deg === undefined ? {} : { heading_deg };
+  return { ...building, places: [...places, { name, at_m: pair(at), ...heading }] };
 }
 
 /** @throws Error as check_name */

@@ -46,7 +46,7 @@ export function building_tab(app: App): Tab {
     zone_speed_mps: () => Number(zone_speed.value),
     miss_room: () => app.notices.show(words.no_room, "trouble"),
     pick_place: (heading_deg) => {
-      if (heading_deg !== undefined) heading.value = String(heading_deg);
+      heading.value = heading_deg === undefined ? "" : String(heading_deg);
       begin_naming(undefined);
     },
   });
@@ -71,7 +71,14 @@ export function building_tab(app: App): Tab {
     autocomplete: "off",
     "aria-label": words.name,
   });
-  const heading = element("input", { type: "number", min: -360, max: 360, step: 5, value: 0, class: "size" });
+  const heading = element("input", {
+    type: "number",
+    min: -360,
+    max: 360,
+    step: "any",
+    placeholder: words.any_heading,
+    class: "size",
+  });
   heading.setAttribute("aria-label", words.heading);
   const zone_speed = element("input", {
     type: "number",
@@ -95,7 +102,8 @@ export function building_tab(app: App): Tab {
     const word = name.value.trim();
     if (renamed === word) return building;
     if (renamed !== undefined) return renamed_place(building, renamed, word);
-    return tools.place ? with_place(building, word, tools.place, Number(heading.value)) : building;
+    const heading_deg = heading.value === "" ? undefined : Number(heading.value);
+    return tools.place ? with_place(building, word, tools.place, heading_deg) : building;
   };
   const put_name = () => {
     if (!edit(named)) return;

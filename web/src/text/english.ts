@@ -307,6 +307,7 @@ export const english = {
     none: "No building yet: explore one, or teach and learn a route.",
     name: "Name of the place",
     heading: "Heading in degrees",
+    any_heading: "any",
     zone_speed: "Speed in the zone, in metres per second",
     name_it: "Name it",
     undo: "Undo",

@@ -327,6 +327,7 @@ export const german: typeof english = {
     none: "Noch kein Gebäude: erkunden Sie eines, oder lehren und lernen Sie eine Strecke.",
     name: "Name des Ortes",
     heading: "Richtung in Grad",
+    any_heading: "egal",
     zone_speed: "Tempo in der Zone, in Metern je Sekunde",
     name_it: "Benennen",
     undo: "Rückgängig",

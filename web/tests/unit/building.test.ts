@@ -112,6 +112,8 @@ test("Clearing frees occupied cells and leaves unknown cells unknown", () => {
 test("Every place needs a unique name", () => {
   const made = with_place(building, "desk", { x: 1, y: 2 }, 90);
   assert.deepEqual(made.places, [{ name: "desk", at_m: [1, 2], heading_deg: 90 }]);
+  const with_lab = with_place(made, "lab", { x: 0, y: 0 }, undefined);
+  assert.deepEqual(with_lab.places?.[1], { name: "lab", at_m: [0, 0] });
   assert.throws(() => with_place(made, "desk", { x: 0, y: 0 }, 0), /already/);
   assert.throws(() => with_place(made, "", { x: 0, y: 0 }, 0), /needs a name/);
   assert.deepEqual(without_place(made, "desk").places, []);

@@ -62,7 +62,7 @@ Building learned(const World& world, bool (*is_floor)(const Vec2&) = is_floor_of
   for (const Segment2& s : cross_section(world, 0.3))
     building.walls.walls.push_back({.segment = s, .is_orthogonal = true, .sightings = 9, .sigma_m = 0.01});
   building.corridors = true_corridors(world, cart_with_scanner().description, world.start->position());
-  building.places = {{"home", *world.start}, {"lift", {13, 8, 0}}};
+  building.places = {{"home", *world.start}, {"lift", {13, 8, 0}, false}, {"desk", {13, 8, -kPi / 2}}};
   building.floor.emplace(cell_m);
   for (double x = cell_m / 2; x < 14; x += cell_m) {
     for (double y = cell_m / 2; y < 12; y += cell_m) {
@@ -239,6 +239,23 @@ TEST(GuideHeading, ACartTurnsWhereItHasRoomFor) {
   EXPECT_LT(off_deg(driven, -90), kFacing_deg);
 }
 
+TEST(GuideHeading, OfANamedPlaceIsObeyed) {
+  const Driven driven = drive("go desk");
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.end.why, "");
+  EXPECT_EQ(driven.result.collisions(), 0U);
+  EXPECT_LT(off_deg(driven, -90), kFacing_deg);
+  ASSERT_EQ(driven.headings.size(), 1U);
+  EXPECT_TRUE(driven.headings[0].is_reached);
+}
+
+TEST(GuideHeading, OfHomeIsObeyedAtTheEndOfAPatrol) {
+  const Driven driven = drive("patrol 1");
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.end.why, "");
+  EXPECT_LT(off_deg(driven, 0), kFacing_deg);
+}
+
 TEST(GuideHeading, WhereThereIsNoRoomToTurnItSaysHowFarOffItStands) {
   const World narrow = walled_by({{0, 0}, {10, 0}, {10, 1}, {0, 1}}, {1.5, 0.5, 0});
   const Building building = learned(narrow, [](const Vec2& p) { return p.x() < 10 && p.y() < 1; });
@@ -302,12 +319,21 @@ TEST(GuideGoal, APointMayHaveAHeading) {
   EXPECT_THAT(refused("5,1,400"), HasSubstr("'5,1,400' is unknown"));
 }
 
+TEST(GuideGoal, ANamedPlaceHasTheHeadingThatItsFileGives) {
+  const Building building = learned(l_building());
+  EXPECT_EQ(goal_to(building, "home")->places.front().heading_rad, 0.0);
+  EXPECT_EQ(goal_to(building, "desk")->places.front().heading_rad, -kPi / 2);
+  EXPECT_FALSE(goal_to(building, "lift")->places.front().heading_rad);
+  EXPECT_FALSE(goal_to(building, "end 2")->places.front().heading_rad);
+  EXPECT_EQ(patrol_goal(building, 1)->places.back().heading_rad, 0.0);
+}
+
 TEST(GuideGoal, PlacesAreNamesNodesAndPoints) {
   const Building building = learned(l_building());
   EXPECT_EQ(goal_to(building, "lift")->places.front().p_map, Vec2(13, 8));
   EXPECT_EQ(goal_to(building, "end 2")->places.front().p_map, building.corridors.nodes[1].p_map);
   EXPECT_EQ(goal_to(building, "5,1.25")->places.front().p_map, Vec2(5, 1.25));
-  EXPECT_THAT(refused("cellar"), HasSubstr("'cellar' is unknown; there are home, lift, end 1, end 2"));
+  EXPECT_THAT(refused("cellar"), HasSubstr("'cellar' is unknown; there are home, lift, desk, end 1, end 2"));
   EXPECT_THAT(refused("5,9"), HasSubstr("nothing is known at 5,9"));
   EXPECT_THAT(refused("5,nan"), HasSubstr("'5,nan' is unknown"));
 }

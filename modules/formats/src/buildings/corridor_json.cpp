@@ -83,11 +83,28 @@ JsonFields graph_fields(CorridorGraph& graph) {
               [&nodes](const JsonValue& value) { return read_corridor(value, nodes); }))};
 }
 
+/// Left out where the place has none.
+JsonPart place_heading_part(MapPlace& place) {
+  JsonPart part = heading_part("heading_deg", place.T_map_place.theta, kHeadingDecimals);
+  part.text = [&place, text = std::move(part.text)] { return place.has_heading ? text() : ""; };
+  part.read = [&place, read = std::move(part.read)](const JsonValue& value) {
+    place.has_heading = true;
+    read(value);
+  };
+  return part;
+}
+
 JsonFields place_fields(MapPlace& place) {
   Pose2& T_map_place = place.T_map_place;
   return {needed(field::text("name", place.name)),
           needed(field::point("at_m", T_map_place.x, T_map_place.y, kMapCoordinate_m)),
-          heading_part("heading_deg", T_map_place.theta, kHeadingDecimals)};
+          place_heading_part(place)};
+}
+
+MapPlace read_place(const JsonValue& value) {
+  MapPlace place{.name = {}, .T_map_place = {}, .has_heading = false};
+  read_object(value, place_fields(place));
+  return place;
 }
 
 }  // namespace
@@ -99,7 +116,8 @@ JsonPart corridors_part(std::string_view key, CorridorGraph& graph) {
 }
 
 JsonPart places_part(std::string_view key, std::vector<MapPlace>& places) {
-  JsonPart part = objects_part(key, places, kPlacesMax, place_fields);
+  JsonPart part = list_part(
+      key, places, kPlacesMax, [](MapPlace& place) { return object_json(place_fields(place)); }, read_place);
   part.read = [&places, read = std::move(part.read)](const JsonValue& value) {
     read(value);
     std::set<std::string> names;

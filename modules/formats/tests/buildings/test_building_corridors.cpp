@@ -21,8 +21,10 @@ Building any_explored_building(Random& random) {
   Building building{.name = "explored"};
   for (std::size_t i = 0; i < 1 + random.index(5); ++i) {
     building.corridors.nodes.push_back({static_cast<CorridorNode::Kind>(random.index(3)), any_point()});
-    building.places.push_back(
-        {"place " + std::to_string(i), {random.uniform(-9, 9), 1, random.uniform(-3, 3)}});
+    const bool has_heading = random.uniform() < 0.5;
+    building.places.push_back({"place " + std::to_string(i),
+                               {random.uniform(-9, 9), 1, has_heading ? random.uniform(-3, 3) : 0},
+                               has_heading});
   }
   const auto& nodes = building.corridors.nodes;
   for (std::size_t i = 0; i < random.index(6); ++i) {
@@ -36,6 +38,16 @@ Building any_explored_building(Random& random) {
     building.floor->set(cell, random.uniform() < 0.5 ? Floor::kFree : Floor::kOccupied);
   }
   return building;
+}
+
+TEST(BuildingCorridors, APlaceWithoutAHeadingHasNone) {
+  const std::string text = corridors_with(R"(, "heading_deg": 90})", "}");
+  const auto building = parse_building(text, "places");
+  ASSERT_TRUE(building.ok()) << to_string(building.problems());
+  EXPECT_TRUE(building->places[0].has_heading);
+  EXPECT_FALSE(building->places[1].has_heading);
+  EXPECT_EQ(building->places[1].T_map_place.theta, 0);
+  EXPECT_THAT(building_json(*building), HasSubstr(R"({"name": "lift", "at_m": [4, 6]})"));
 }
 
 TEST(BuildingCorridors, TheGoldenFileSaysWhatWasExplored) {

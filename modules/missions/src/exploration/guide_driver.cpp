@@ -57,9 +57,22 @@ std::string known_names(const Building& building) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+GoalPlace goal_at(const MapPlace& place) {
+  const Pose2& T = place.T_map_place;
+  return {T.position(), place.has_heading ? std::optional(T.theta) : std::nullopt};
+}
+
+/// Where `patrol` ends. A building without a home has it at its origin, and then nobody asked for a heading.
+GoalPlace home_goal(const Building& building) {
+  for (const MapPlace& place : building.places) {
+    if (place.name == kHomePlace) return goal_at(place);
+  }
+  return {home_of(building).position()};
+}
+
 Result<GoalPlace> find_place(const Building& building, const std::string& text) {
   for (const MapPlace& place : building.places) {
-    if (place.name == text) return GoalPlace{place.T_map_place.position()};
+    if (place.name == text) return goal_at(place);
   }
   for (std::size_t i = 0; i < building.corridors.nodes.size(); ++i) {
     if (building.corridors.name_of(i) == text) return GoalPlace{building.corridors.nodes[i].p_map};
@@ -200,7 +213,7 @@ Result<Goal> patrol_goal(const Building& building, int rounds) {
   std::erase_if(goal.places, [&](const GoalPlace& place) {
     return keep_out_around(building.zones, place.p_map) != nullptr;
   });
-  goal.places.push_back({p_map_home});
+  goal.places.push_back(home_goal(building));
   return goal;
 }
 

@@ -20,6 +20,7 @@ namespace aisle {
 struct MapPlace {
   std::string name;  ///< unique in its building
   Pose2 T_map_place;
+  bool has_heading = true;  ///< false: how the vehicle stands there does not matter, and theta is 0
 };
 
 /// The place where an exploration starts and ends, and where missions start.

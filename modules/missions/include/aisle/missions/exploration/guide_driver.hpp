@@ -31,15 +31,16 @@ struct Goal {
   bool is_queue = false;          ///< somebody named each of several places
 };
 
-/// Goal at one place: the name of a place or of a corridor node ("crossing 2", "end 1"), or "x,y" in the map
-/// [m], or "x,y,heading_deg". An unknown name is a problem that lists the known ones.
+/// Goal at one place: the name of a place, with its heading if it has one, or of a corridor node ("crossing
+/// 2", "end 1"), or "x,y" in the map [m], or "x,y,heading_deg". An unknown name is a problem that lists the
+/// known ones.
 Result<Goal> goal_to(const Building& building, const std::string& place);
 
 /// Goal at one place after the other; the problems are those of all of them.
 /// @param places  as in goal_to(), at least one
 Result<Goal> goal_through(const Building& building, const std::vector<std::string>& places);
 
-/// Goal along all corridors, `rounds` times, and home again.
+/// Goal along all corridors, `rounds` times, and home again, with its heading.
 Result<Goal> patrol_goal(const Building& building, int rounds);
 
 /// Why goals in a building cannot be driven to: it has no walls, floor or corridors, the vehicle no scanner.
