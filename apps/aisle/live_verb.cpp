@@ -19,8 +19,10 @@ void add_live_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<LiveOptions>();
   auto out = std::make_shared<std::filesystem::path>();
   verb->add_option("WORLD", options->world, "world file (YAML) or name of a shipped world");
-  verb->add_option("--vehicle", options->vehicle,
-                   "vehicle file (YAML) or name of a shipped vehicle (default alv)");
+  verb->add_option(
+      "--vehicle", options->vehicle,
+      "vehicle file (YAML) or name of a shipped vehicle, for all missions (default: the usual one "
+      "of each mission's verb; alv while it waits and is driven by hand)");
   add_seed(*verb, options->seed, "random seed (default 1)");
   verb->add_option(
       "-o,--out", *out,

@@ -44,7 +44,8 @@ class LiveRun {
                  [this](const ServiceCall& call) { take_call(call); }),
         watched_{control_, console.warn, &control_} {
     control_.state().world = options.world;
-    control_.state().vehicle = options.connection.empty() ? options.vehicle : options.connection.string();
+    control_.state().vehicle =
+        options.connection.empty() ? waiting_vehicle(options) : options.connection.string();
     control_.state().keeps_buildings = !options.listening.buildings.empty();
   }
 

@@ -30,9 +30,9 @@ struct MissionRequest {
   Problems& problems;
 
   std::uint64_t seed() const { return arguments.count("seed", kSeedMax).value_or(live.seed); }
-  std::string vehicle() const { return arguments.name("vehicle"); }
-  std::string vehicle_or_ours() const {
-    std::string asked = vehicle();
+  /// The one that the request names, or that the server was started with; empty: the mission's usual one.
+  std::string vehicle() const {
+    std::string asked = arguments.name("vehicle");
     return asked.empty() ? live.vehicle : asked;
   }
 
@@ -71,7 +71,7 @@ DriveOptions hand_drive(const MissionRequest& request, LiveMission& mission) {
   DriveOptions drive;
   drive.connection = request.live.connection;
   drive.world = request.live.world;
-  drive.vehicle = request.vehicle_or_ours();
+  if (const std::string vehicle = request.vehicle(); !vehicle.empty()) drive.vehicle = vehicle;
   drive.seed = request.seed();
   drive.out = request.new_session(mission.session);
   return drive;
@@ -253,11 +253,15 @@ Result<LiveMission> live_mission(const LiveOptions& live, const nlohmann::json& 
   return mission;
 }
 
+std::string waiting_vehicle(const LiveOptions& live) {
+  return live.vehicle.empty() ? DriveOptions{}.vehicle : live.vehicle;
+}
+
 LiveMission live_idling(const LiveOptions& live, const std::optional<Pose2>& T_world_vehicle) {
   DriveOptions options;
   options.connection = live.connection;
   options.world = live.world;
-  options.vehicle = live.vehicle;
+  options.vehicle = waiting_vehicle(live);
   options.seed = live.seed;
   options.T_world_start = T_world_vehicle;
   return {.is_driven_by_hand = true,

@@ -27,6 +27,9 @@ struct LiveMission {
 Result<LiveMission> live_mission(const LiveOptions& live, const nlohmann::json& arguments,
                                  const std::optional<Pose2>& T_world_vehicle);
 
+/// The simulated vehicle that waits, and is driven by hand: the one that the server was started with, or alv.
+std::string waiting_vehicle(const LiveOptions& live);
+
 /// Driving by hand without recording.
 LiveMission live_idling(const LiveOptions& live, const std::optional<Pose2>& T_world_vehicle);
 

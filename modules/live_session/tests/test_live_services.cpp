@@ -109,6 +109,13 @@ TEST_F(LiveMissions, GoToOneGoalOrToSeveralInOrder) {
               HasSubstr("goals.1.x_m: must be a number"));
 }
 
+TEST(LiveVehicle, IsTheOneThatTheServerWasStartedWith) {
+  LiveOptions options;
+  EXPECT_EQ(waiting_vehicle(options), "alv");
+  options.vehicle = "turtlebot";
+  EXPECT_EQ(waiting_vehicle(options), "turtlebot");
+}
+
 class SteppedClock final : public Clock {
  public:
   double now_s() const override { return time_s; }

@@ -23,7 +23,7 @@ before(async () => {
   mkdirSync(join(directory, "buildings"));
   copyFileSync(join(explored, "building.json"), join(directory, "buildings", "floor.json"));
   server = await start_live("l-corridor", directory, ...vehicle, "--rate", "2");
-  watcher = new Watcher(server.address, ["/pose", "/cmd_vel"]);
+  watcher = new Watcher(server.address, ["/pose", "/cmd_vel", "/vehicle_description"]);
 });
 after(async () => {
   await browser.close();
@@ -70,6 +70,10 @@ test("A drag on the plan sends it there, and it turns to where the drag ended", 
   const { x, y, heading_rad } = pose();
   assert.ok(Math.hypot(x - 2.5, y) < 0.8, `${x}, ${y}`);
   assert.ok(Math.abs(heading_rad - Math.PI / 2) < 0.2, `${heading_rad} rad`);
+  const vehicles = watcher.received.filter(({ topic }) => topic === "/vehicle_description");
+  assert.ok(vehicles.length > 1, "the waiting vehicle, and the mission's");
+  for (const { message } of vehicles)
+    assert.match(message.data, /^name: "TurtleBot/m, "the one that the server was started with");
 });
 
 test("A queue is driven in order, is stopped, and goes on", async () => {

@@ -27,7 +27,8 @@ struct LiveOptions {
   LiveListening listening;
   std::filesystem::path connection;  ///< connection file of a robot; empty: simulated
   std::string world;                 ///< file or shipped name
-  std::string vehicle = "alv";
+  /// Drives all missions that name no other; file or shipped name. Empty: each mission's usual one.
+  std::string vehicle;
   std::uint64_t seed = 1;
 };
 
