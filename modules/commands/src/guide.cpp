@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/missions/exploration/guide_mission.hpp"
 #include "aisle/missions/statistics.hpp"
+#include "operated_vehicle.hpp"
 
 namespace aisle {
 namespace {
@@ -46,9 +48,26 @@ nlohmann::ordered_json headings_json(const std::vector<GoalHeading>& headings) {
   return rows;
 }
 
+/// Changes the goals on the way, and touches nothing else.
+class GoalOperator final : public Operator {
+ public:
+  /// @param changes  null: nobody changes them
+  explicit GoalOperator(std::function<std::vector<GoalChange>()> changes) : changes_(std::move(changes)) {}
+
+  OperatorInput look(const OperatorView&) override {
+    OperatorInput input;
+    if (changes_) input.goal_changes = changes_();
+    return input;
+  }
+
+ private:
+  std::function<std::vector<GoalChange>()> changes_;
+};
+
 Result<Outcome> drive_to_goal(const char* verb, const GuideOptions& options, const SessionOrigin& origin,
                               GuideDriver& driver, DrivenVehicle& driven, Console& console) {
-  Vehicle& vehicle = driven.vehicle();
+  GoalOperator person(console.goal_changes);
+  OperatedVehicle vehicle(driven.vehicle(), &person);
   auto session = open_session(options.out, options.force, options.storage, vehicle, driven.truth(), origin,
                               driven.watcher(console));
   if (!session) return session.problems();

@@ -19,6 +19,7 @@ std::optional<Observation> OperatedVehicle::sense() {
   OperatorInput& kept = observation->operator_input;
   if (input.requested) kept.requested = input.requested;
   kept.marks.insert(kept.marks.end(), input.marks.begin(), input.marks.end());
+  kept.goal_changes.insert(kept.goal_changes.end(), input.goal_changes.begin(), input.goal_changes.end());
   kept.quit |= input.quit;
   kept.gives_up |= input.gives_up;
   return observation;

@@ -82,6 +82,7 @@ inline Observation sample_observation(int index) {
     observation.operator_input.requested = Command{.speed_mps = random.uniform(), .steering_rad = -0.1};
     observation.operator_input.marks = {{Mark::Kind::kTurningBegins, "6"},
                                         {Mark::Kind::kPlace, "Büro \"1\""}};
+    observation.operator_input.goal_changes = {{.added = "Büro \"1\""}, {.removed = 2}};
   }
   observation.operator_input.quit = index % 10 == 9;
   observation.operator_input.gives_up = index % 20 == 9;

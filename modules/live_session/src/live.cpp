@@ -42,7 +42,7 @@ class LiveRun {
       : options_(options),
         control_(console.progress, site.server(), site.mission_calls(), options.listening.rate,
                  [this](const ServiceCall& call) { take_call(call); }),
-        watched_{control_, console.warn, &control_} {
+        watched_{control_, console.warn, &control_, [this] { return control_.take_goal_changes(); }} {
     control_.state().world = options.world;
     control_.state().vehicle =
         options.connection.empty() ? waiting_vehicle(options) : options.connection.string();
@@ -65,7 +65,6 @@ class LiveRun {
     state.mode = "idle";
     state.mission.clear();
     state.session.clear();
-    state.goals = nullptr;
     state.is_driven_by_hand = true;
     control_.go_on();
     return work(live_idling(options_, control_.T_world_vehicle()));
@@ -76,7 +75,6 @@ class LiveRun {
     state.mode = mission.drives ? "mission" : "work";
     state.mission = mission.name;
     state.session = mission.session;
-    state.goals = mission.goals;
     state.is_driven_by_hand = mission.is_driven_by_hand;
     control_.begin();
     const auto outcome = work(mission);
@@ -183,7 +181,7 @@ Result<Outcome> run_watched(const LiveListening& listening, const std::string& v
   control.state().mode = "mission";
   control.state().mission = verb;
   control.begin();
-  Console watched{control, console.warn, &control};
+  Console watched{control, console.warn, &control, [&] { return control.take_goal_changes(); }};
   auto outcome = work(watched, hand_of(control));
   control.end_mission(live_end(verb, outcome));
   control.state().mode = "ended";

@@ -1,5 +1,7 @@
 #include "live_control.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -9,7 +11,9 @@
 #include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/map_messages.hpp"
 #include "aisle/formats/sessions/session_origin.hpp"
+#include "aisle/missions/exploration/guide_driver.hpp"
 #include "live_arguments.hpp"
+#include "live_goals.hpp"
 #include "live_marks.hpp"
 
 namespace aisle {
@@ -32,7 +36,7 @@ std::string text_of(const nlohmann::json& arguments, const char* key) {
 std::vector<LiveService> control_services(ServiceMailbox& calls) {
   std::vector<LiveService> services;
   for (const char* name : {"mission/pause", "mission/resume", "mission/stop", "mission/emergency_release",
-                           "mission/mark", "mission/finish"})
+                           "mission/mark", "mission/finish", "mission/goals"})
     services.push_back({name, true, &calls});
   services.push_back({"mission/emergency_stop", false, &calls});
   services.push_back({"mission/trail", false, &calls});
@@ -67,6 +71,10 @@ void LiveControl::begin_work() {
   pace_.rest();
   stamp_.reset();
   shall_end_ = shall_stop_ = was_stopped_ = false;
+  building_.reset();
+  goal_changes_.clear();
+  state_.goals = nullptr;
+  state_.goals_reached = 0;
   state_.map_origin = trail_.T_map_odom() ? pose_json(*trail_.T_map_odom()) : nlohmann::ordered_json();
   state_.is_paused = false;
   state_.stamp_s = 0;
@@ -82,6 +90,16 @@ void LiveControl::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::stri
   server_.take(topic, stamp, cdr);
   take_past(topic, stamp, cdr);
   if (topic.name == "/session") show_map(stamp, cdr);
+  if (topic.name == "/goals" && state_.mode == "mission") take_goals(cdr);
+}
+
+void LiveControl::take_goals(std::string_view goals_cdr) {
+  const auto text = parse_cdr<ros::String>(goals_cdr);
+  if (!text) return;
+  const auto said = nlohmann::ordered_json::parse(text->data);
+  if (said["goals"].empty()) return;  // a patrol
+  state_.goals = said["goals"];
+  state_.goals_reached = said["reached"];
 }
 
 void LiveControl::forget_past(ros::Stamp_ns first) {
@@ -110,8 +128,10 @@ void LiveControl::show_map(ros::Stamp_ns stamp, std::string_view session_cdr) {
   if (!text) return;
   const auto origin = parse_session_origin(text->data, "the session");
   if (!origin || origin->building.empty()) return;
-  if (const auto building = parse_building(origin->building, "building"))
-    server_.take(map_topic(), stamp, map_cdr(stamp, *building));
+  auto building = parse_building(origin->building, "building");
+  if (!building) return;
+  server_.take(map_topic(), stamp, map_cdr(stamp, *building));
+  building_ = std::move(*building);
 }
 
 void LiveControl::report(std::string_view task, std::size_t done, std::size_t total) {
@@ -197,6 +217,8 @@ void LiveControl::handle(const ServiceCall& call) {
     hand_.hold(false);
   } else if (service == "mission/mark") {
     return mark(call);
+  } else if (service == "mission/goals") {
+    return change_goals(call);
   } else if (service == "mission/finish") {
     if (!state_.is_driven_by_hand) return call.refuse("nobody drives by hand");
     hand_.finish();
@@ -238,6 +260,43 @@ void LiveControl::tell_events(const ServiceCall& call) const {
   if (const Problems problems = arguments.problems(); !problems.empty())
     return call.refuse(to_string(problems));
   call.answer(events_.json(from.value_or(0)));
+}
+
+/// A held mission shows its new goals at once; the vehicle hears of them in its next cycle.
+void LiveControl::change_goals(const ServiceCall& call) {
+  if (state_.goals.is_null() || !building_) return call.refuse("no goals are driven to");
+  LiveArguments arguments(call.arguments());
+  const auto* const added = arguments.value("add");
+  const auto removed = arguments.count("remove", kGoalsMax);
+  Problems problems = arguments.problems();
+  if (problems.empty() && (added != nullptr) == removed.has_value())
+    problems.push_back({{"", 0, "add"}, "or remove is needed, and not both"});
+  if (problems.empty()) problems = added != nullptr ? add_goal(*added) : remove_goal(*removed);
+  if (!problems.empty()) return call.refuse(to_string(problems));
+  call.answer({{"goals", state_.goals}});
+}
+
+Problems LiveControl::add_goal(const nlohmann::json& goal) {
+  if (state_.goals.size() >= kGoalsMax)
+    return {{{"", 0, "add"}, fmt::format("there are {} goals already", kGoalsMax)}};
+  Problems problems;
+  const std::string text = goal_in(goal, "add", problems);
+  if (!problems.empty()) return problems;
+  if (const auto known = goal_to(*building_, text); !known) return known.problems();
+  state_.goals.push_back(nlohmann::ordered_json(goal));
+  goal_changes_.push_back({.added = text});
+  return {};
+}
+
+Problems LiveControl::remove_goal(std::size_t number) {
+  const Place where{"", 0, "remove"};
+  if (number <= state_.goals_reached || number > state_.goals.size())
+    return {{where, fmt::format("{} is not a goal that it still drives to", number)}};
+  if (state_.goals.size() - state_.goals_reached == 1)
+    return {{where, "it is the last goal; mission/stop ends the mission"}};
+  state_.goals.erase(number - 1);
+  goal_changes_.push_back({.removed = number});
+  return {};
 }
 
 void LiveControl::mark(const ServiceCall& call) {

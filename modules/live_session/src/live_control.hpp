@@ -4,11 +4,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "aisle/core/clock.hpp"
 #include "aisle/core/progress.hpp"
 #include "aisle/live/live_server.hpp"
+#include "aisle/maps/building.hpp"
+#include "aisle/vehicle/observation.hpp"
 #include "live_events.hpp"
 #include "live_hand.hpp"
 #include "live_pace.hpp"
@@ -63,6 +66,9 @@ class LiveControl final : public Progress, public MessageSink {
   /// Last true pose of the vehicle in the simulator.
   const std::optional<Pose2>& T_world_vehicle() const { return T_world_vehicle_; }
 
+  /// How clients changed the goals of the mission since this was asked last.
+  std::vector<GoalChange> take_goal_changes() { return std::exchange(goal_changes_, {}); }
+
   /// Serves requests for a duration [s]; at least those that have already arrived.
   void serve(double duration_s);
   /// Simulated time stands still for a while, then continues from the same value.
@@ -74,6 +80,10 @@ class LiveControl final : public Progress, public MessageSink {
 
  private:
   void show_map(ros::Stamp_ns stamp, std::string_view session_cdr);
+  void take_goals(std::string_view goals_cdr);
+  void change_goals(const ServiceCall& call);
+  Problems add_goal(const nlohmann::json& goal);
+  Problems remove_goal(std::size_t number);
   void handle(const ServiceCall& call);
   void emergency_stop();
   void end(bool discards);
@@ -98,6 +108,8 @@ class LiveControl final : public Progress, public MessageSink {
   double reported_s_ = -1;
   LiveTrail trail_;
   LiveEvents events_;
+  std::optional<Building> building_;  ///< that the mission drives in
+  std::vector<GoalChange> goal_changes_;
   bool shall_end_ = false;
   bool shall_stop_ = false;
   bool was_stopped_ = false;

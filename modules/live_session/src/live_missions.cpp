@@ -13,6 +13,7 @@
 #include "aisle/commands/park.hpp"
 #include "aisle/commands/teach.hpp"
 #include "live_arguments.hpp"
+#include "live_goals.hpp"
 #include "live_learning.hpp"
 
 namespace aisle {
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kSeedMax = 1'000'000'000;
-constexpr std::size_t kGoalsMax = 100;
 
 /// What missions are made from: the live options and the arguments of the request. Collects problems.
 struct MissionRequest {
@@ -159,45 +159,11 @@ GuideOptions guided(const MissionRequest& request, LiveMission& mission) {
   return options;
 }
 
-/// A place's name, "x,y" or "x,y,heading_deg"; empty: nothing of that is there.
-std::string goal_in(LiveArguments& arguments) {
-  std::string place = arguments.text("place");
-  const auto x = arguments.number("x_m"), y = arguments.number("y_m");
-  const auto heading_deg = arguments.number("heading_deg");
-  if (!place.empty() || !x || !y) return place;
-  const std::string at = fmt::format("{:.3f},{:.3f}", *x, *y);
-  return heading_deg ? fmt::format("{},{:.1f}", at, *heading_deg) : at;
-}
-
-/// The goals of a list, in order. Collects the problems of each.
-std::vector<std::string> goals_in(const nlohmann::json& list, Problems& problems) {
-  std::vector<std::string> goals;
-  if (!list.is_array() || list.size() > kGoalsMax) {
-    problems.push_back({{"", 0, "goals"}, fmt::format("must be a list of at most {}", kGoalsMax)});
-    return goals;
-  }
-  for (const nlohmann::json& item : list) {
-    const std::string key = fmt::format("goals.{}", goals.size() + 1);
-    goals.emplace_back();
-    if (!item.is_object()) {
-      problems.push_back({{"", 0, key}, "must be an object"});
-      continue;
-    }
-    LiveArguments arguments(item);
-    goals.back() = goal_in(arguments);
-    for (const Problem& problem : arguments.problems())
-      problems.push_back({{"", 0, key + "." + problem.where.key}, problem.what});
-    if (goals.back().empty()) problems.push_back({{"", 0, key}, "has neither place nor x_m and y_m"});
-  }
-  return goals;
-}
-
 LiveMission go_mission(const MissionRequest& request) {
   LiveMission mission{.name = "go", .work = {}};
   GuideOptions options = guided(request, mission);
   if (const auto* list = request.arguments.value("goals")) {
     options.places = goals_in(*list, request.problems);
-    mission.goals = *list;
   } else if (std::string goal = goal_in(request.arguments); !goal.empty()) {
     options.places = {std::move(goal)};
   }

@@ -17,8 +17,7 @@ struct LiveMission {
   std::string name;
   std::string session;  ///< name of the recorded session; empty: none
   bool is_driven_by_hand = false;
-  bool drives = true;                 ///< false: it only computes
-  nlohmann::ordered_json goals = {};  ///< of `go`, as requested; null: at most one
+  bool drives = true;  ///< false: it only computes
   Work work;
 };
 

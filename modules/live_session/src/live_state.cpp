@@ -60,7 +60,10 @@ std::string live_state_json(const LiveState& state) {
                       {"session", state.session},
                       {"keeps_buildings", state.keeps_buildings}};
   if (!state.map_origin.is_null()) json["map_origin"] = state.map_origin;
-  if (!state.goals.is_null()) json["goals"] = state.goals;
+  if (!state.goals.is_null()) {
+    json["goals"] = state.goals;
+    json["goals_reached"] = state.goals_reached;
+  }
   if (!state.replay.is_null()) json["replay"] = state.replay;
   if (!state.last.is_null()) json["last"] = state.last;
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);

@@ -27,7 +27,8 @@ struct LiveState {
   std::string session;
   bool keeps_buildings = false;       ///< there is a folder for what missions learn
   nlohmann::ordered_json map_origin;  ///< null: the map is the mission's own
-  nlohmann::ordered_json goals;       ///< of the mission, in order; null: at most one
+  nlohmann::ordered_json goals;       ///< of the mission, in order; null: it has none
+  std::size_t goals_reached = 0;      ///< so many of them, from the first on
   nlohmann::ordered_json replay;      ///< null: none
   nlohmann::ordered_json last;        ///< null: none
 };

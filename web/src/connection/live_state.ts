@@ -29,8 +29,10 @@ export interface LiveState {
   session: string;
   /** There is a folder for what missions learn. */
   keeps_buildings?: boolean;
-  /** Of the mission, in order; absent: at most one. */
+  /** Of the mission, in order; absent: it has none. */
   goals?: GoalRequest[];
+  /** So many of them, from the first on. */
+  goals_reached?: number;
   last?: { mission: string; ok: boolean; text: string; problems: string[] };
   replay?: { session: string; from_s: number; to_s: number; at_s: number; playing: boolean; rate: number };
 }

@@ -6,7 +6,7 @@ import type { Layer } from "../plan/plan_canvas";
 
 const arrow_px = 26;
 
-/** The goals of the mission that runs, with their numbers. */
+/** The goals that the mission which runs has not reached, with their numbers. */
 export function goals_layer(app: App): Layer {
   const at = (goal: GoalRequest): (Point & { heading_deg?: number }) | undefined => {
     if ("x_m" in goal) return { ...goal, x: goal.x_m, y: goal.y_m };
@@ -15,7 +15,7 @@ export function goals_layer(app: App): Layer {
   };
   return (context, view) => {
     (app.state.value?.goals ?? []).forEach((goal, index) => {
-      const place = at(goal);
+      const place = index < (app.state.value?.goals_reached ?? 0) ? undefined : at(goal);
       if (place) draw_goal(context, view, place, String(index + 1), arrow_px);
     });
   };

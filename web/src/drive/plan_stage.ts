@@ -39,7 +39,7 @@ export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement;
   const cancel = () => goals.cancel();
   const arrange = () => {
     const live = Object.entries(layers).flatMap(([name, layer]) => (hidden.has(name) ? [] : [layer]));
-    canvas.layers = is_building() && building ? [building, goals.layer] : live;
+    canvas.layers = is_building() && building ? [building, goals.layer] : [...live, goals.layer];
     canvas.tool = is_building() && store.takes_goals.value ? { click, drag, cancel } : { click };
     canvas.redraw();
   };

@@ -108,6 +108,7 @@ export class FakeVehicle {
       "mission/mark",
       "mission/finish",
       "mission/go",
+      "mission/goals",
       "maze/run",
       "sessions/list",
       "sessions/info",

@@ -144,6 +144,94 @@ test("While the goals are driven to, the plan shows their numbers", async () => 
   vehicle.send_state({ mode: "idle", mission: "", goals: undefined });
 });
 
+/** A mission to three goals, of which it has reached one; it changes them as it is asked. */
+function drive_to_goals(vehicle) {
+  const goals = [{ x_m: 0, y_m: 0 }, { place: "desk" }, { x_m: 8, y_m: 2, heading_deg: 90 }];
+  const change = (changed) => {
+    vehicle.send_state({ goals: changed });
+    return { goals: changed };
+  };
+  vehicle.answers["mission/goals"] = ({ add, remove }) =>
+    change(
+      add ? [...vehicle.state.goals, add] : vehicle.state.goals.filter((_, index) => index !== remove - 1),
+    );
+  vehicle.publish("/map", "visualization_msgs/MarkerArray", { markers: [wall_of(0, -3), wall_of(10, 3)] });
+  vehicle.send_state({ mode: "mission", mission: "go", driven_by_hand: false, goals, goals_reached: 1 });
+}
+
+function wall_of(x, y) {
+  const zero = { x: 0, y: 0, z: 0 };
+  return {
+    header: { stamp: { sec: 0, nanosec: 0 }, frame_id: "map" },
+    ns: "walls",
+    id: Math.round(x),
+    type: 4,
+    action: 0,
+    pose: { position: zero, orientation: { ...zero, w: 1 } },
+    scale: { x: 0.05, y: 0, z: 0 },
+    color: { r: 1, g: 1, b: 1, a: 1 },
+    lifetime: { sec: 0, nanosec: 0 },
+    frame_locked: false,
+    points: [
+      { x, y, z: 0 },
+      { x: x + 0.1, y, z: 0 },
+    ],
+    colors: [],
+    text: "",
+    mesh_resource: "",
+    mesh_use_embedded_materials: false,
+  };
+}
+
+for (const [size, open] of [
+  ["desktop", undefined],
+  ["phone", phone],
+]) {
+  test(`On the way a goal is added, and one that is not reached is taken out: ${size}`, async () => {
+    const shown = open ? await open_page(given.browser, `${given.address}#drive/go`, open) : page;
+    await shown.locator('.mission-panel option[value="desk"]').waitFor({ state: "attached" });
+    drive_to_goals(vehicle);
+    const list = shown.getByRole("list", { name: "Goals in order" });
+    await until(async () => (await list.getByRole("listitem").count()) === 2, "what is left");
+    assert.equal(await shown.getByRole("button", { name: "Remove goal 1" }).count(), 0, "it is reached");
+    assert.equal(await shown.getByRole("button", { name: "Drive in order" }).isVisible(), false);
+    const canvas = shown.locator(".drive-tab .stage .plan canvas");
+    const box = await canvas.boundingBox();
+    const at = { x: box.width * 0.6, y: box.height * 0.6 };
+    if (open) await canvas.tap({ position: at });
+    else await canvas.click({ position: at });
+    assert.equal(await shown.getByRole("button", { name: "Go there" }).isVisible(), false);
+    await shown.getByRole("button", { name: "Add", exact: true }).click();
+    await shown.getByRole("button", { name: "Remove goal 4" }).waitFor();
+    await keep_screenshot(shown, `goal-extended-${size}`);
+    await shown.getByRole("button", { name: "Remove goal 2" }).click();
+    await until(async () => (await list.getByRole("listitem").count()) === 2, "one is taken out");
+    const changes = called("mission/goals").map(({ request: { lease, ...change } }) => change);
+    assert.equal(changes.length, 2);
+    assert.equal(typeof changes[0].add.x_m, "number");
+    assert.deepEqual(changes[1], { remove: 2 });
+    assert.deepEqual(requests(), []);
+    vehicle.send_state({ goals_reached: 2 });
+    await list.waitFor({ state: "hidden" });
+    vehicle.send_state({ mode: "idle", mission: "", goals: undefined, goals_reached: undefined });
+    if (open) await shown.context().close();
+  });
+}
+
+test("A goal that is refused on the way says why, and can still be added", async () => {
+  await page.locator('.mission-panel option[value="desk"]').waitFor({ state: "attached" });
+  drive_to_goals(vehicle);
+  vehicle.answers["mission/goals"] = () => new Error("PLACE: nothing is known at 5,9");
+  await page.getByRole("button", { name: "Remove goal 2" }).waitFor();
+  await page.locator(".drive-tab .stage .plan canvas").click({ position: { x: 700, y: 300 } });
+  await page.getByRole("button", { name: "Add", exact: true }).click();
+  await page.locator(".notice.trouble").getByText("nothing is known at 5,9").waitFor();
+  assert.equal(await page.getByRole("button", { name: "Add", exact: true }).isEnabled(), true);
+  assert.equal(await page.getByRole("button", { name: "Remove goal 2" }).isEnabled(), true);
+  vehicle.send_state({ mode: "idle", mission: "", goals: undefined, goals_reached: undefined });
+  await page.getByRole("button", { name: "Add", exact: true }).waitFor({ state: "hidden" });
+});
+
 test("A finger drags a heading, too, and two fingers move the plan", async () => {
   const touch = await open_page(given.browser, `${given.address}#drive/go`, phone);
   const at = await open_go(touch);

@@ -76,6 +76,32 @@ test("A drag on the plan sends it there, and it turns to where the drag ended", 
     assert.match(message.data, /^name: "TurtleBot/m, "the one that the server was started with");
 });
 
+test("A queue under way is extended, and what is not reached is taken out", async () => {
+  await page.keyboard.down("Shift");
+  for (const x of [1.5, 3]) {
+    const at = await screen_of(x, 0);
+    await page.mouse.click(at.x, at.y);
+  }
+  await page.keyboard.up("Shift");
+  watcher.received = [];
+  await page.getByRole("button", { name: "Drive in order" }).click();
+  await page.getByRole("button", { name: "Remove goal 2" }).waitFor();
+  await page.keyboard.press("Escape"); // so that it reaches none before it is told
+  await page.getByText("go, held").waitFor();
+  await page.getByRole("button", { name: "Fit" }).first().click();
+  const at = await screen_of(2, 0);
+  await page.mouse.click(at.x, at.y);
+  await page.getByRole("button", { name: "Add", exact: true }).click();
+  await page.getByRole("button", { name: "Remove goal 3" }).waitFor();
+  await page.getByRole("button", { name: "Remove goal 2" }).click();
+  await until(() => watcher.state.goals?.length === 2, "one is taken out");
+  await keep_screenshot(page, "going-extended-dark");
+  await hold(page, "Resume");
+  await page.getByText("Last: go done.").waitFor({ timeout: driven_ms });
+  assert.ok(Math.abs(pose().x - 2) < 0.8, `${pose().x}`);
+  assert.equal(watcher.state.last.figures.places_reached, 2);
+});
+
 test("A queue is driven in order, is stopped, and goes on", async () => {
   await page.keyboard.down("Shift");
   for (const x of [2, 0.5]) {

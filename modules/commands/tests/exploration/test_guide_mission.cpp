@@ -305,6 +305,38 @@ TEST(GuideQueue, EndsAtTheFirstGoalThatCannotBeReached) {
   EXPECT_THAT(driven.result.end.why, HasSubstr("goal 2 of 3: there is no path to 13.0, 8.0"));
 }
 
+TEST(GuideQueue, GoalsAreAddedAndTakenOutOnTheWay) {
+  const World world = l_building();
+  SimulatedVehicle vehicle(world, shipped_explorer("turtlebot"), {}, {.T_world_start = *world.start});
+  const auto made = GuideDriver::make(
+      GuideDriver::origin({}, building_json(learned(world)), GuideDriver::go_text({"3,1", "lift"})),
+      vehicle.description());
+  ASSERT_TRUE(made.ok()) << to_string(made.problems());
+  GuideDriver& driver = **made;
+  constexpr double kTimeMax_s = 120;
+  std::vector<GoalChange> changes = {{.added = "8,1"}, {.removed = 2}};
+  const std::vector<GoalChange> ignored = {
+      {.removed = 1}, {.removed = 2}, {.removed = 7}, {.added = "cellar"}};
+  changes.insert(changes.end(), ignored.begin(), ignored.end());
+  Decision decision;
+  while (decision.status == NavigatorStatus::kGoing && vehicle.truth().stamp_s < kTimeMax_s) {
+    Observation observation = *vehicle.sense();
+    if (driver.navigator().places_reached() == 1)
+      observation.operator_input.goal_changes = std::exchange(changes, {});
+    decision = driver.step(observation);
+    vehicle.act(decision.command);
+  }
+  EXPECT_EQ(decision.status, NavigatorStatus::kDone) << decision.why;
+  EXPECT_LT((vehicle.truth().T_world_vehicle.position() - Vec2(8, 1)).norm(), 0.7);
+  EXPECT_EQ(goals_json(driver.goal(), driver.navigator().places_reached()),
+            R"({"goals":[{"x_m":3.0,"y_m":1.0},{"x_m":8.0,"y_m":1.0}],"reached":2})");
+  EXPECT_NEAR(driver.goal().shortest_m, 6.5, 0.5);
+}
+
+TEST(GuideQueue, APatrolHasNoGoalsToChange) {
+  EXPECT_EQ(goals_json(*patrol_goal(learned(l_building()), 1), 3), R"({"goals":[],"reached":3})");
+}
+
 TEST(GuideGoal, OfAQueueAllThatIsWrongIsSaid) {
   const auto goal = goal_through(learned(l_building()), {"lift", "cellar", "5,9"});
   EXPECT_THAT(to_string(goal.problems()), HasSubstr("goal 2: 'cellar' is unknown"));

@@ -93,12 +93,23 @@ Decision decision_of(const Json& json) {
           .why = json.at("why").get<std::string>()};
 }
 
+Json goal_change_json(const GoalChange& change) {
+  return change.added.empty() ? Json{{"remove", change.removed}} : Json{{"add", change.added}};
+}
+
+GoalChange goal_change_of(const Json& json) {
+  if (json.contains("add")) return {.added = json.at("add").get<std::string>()};
+  return {.removed = json.at("remove").get<std::size_t>()};
+}
+
 OperatorInput operator_of(const Json& json) {
   OperatorInput input;
   for (const char* key : {"requested", "wish"})  // release 0.1 wrote the latter
     if (json.contains(key)) input.requested = command_of(json.at(key));
   for (const Json& mark : json.at("marks"))
     input.marks.push_back({value_of(kMarkWords, mark.at("kind")), mark.at("label").get<std::string>()});
+  if (json.contains("goals"))
+    for (const Json& change : json.at("goals")) input.goal_changes.push_back(goal_change_of(change));
   input.quit = json.at("quit").get<bool>();
   input.gives_up = json.value("gives_up", false);
   return input;
@@ -119,6 +130,7 @@ std::string operator_text(const OperatorInput& input) {
   json["marks"] = Json::array();
   for (const Mark& mark : input.marks)
     json["marks"].push_back(Json{{"kind", word_of(kMarkWords, mark.kind)}, {"label", mark.label}});
+  for (const GoalChange& change : input.goal_changes) json["goals"].push_back(goal_change_json(change));
   json["quit"] = input.quit;
   if (input.gives_up) json["gives_up"] = true;
   return text_of(json);

@@ -48,7 +48,7 @@ Result<OperatorInput> operator_of(const RecordedMessage& message, const std::str
 }
 
 bool is_silent(const OperatorInput& input) {
-  return !input.requested && input.marks.empty() && !input.quit;
+  return !input.requested && input.marks.empty() && input.goal_changes.empty() && !input.quit;
 }
 
 /// Collects the messages of one cycle.

@@ -43,6 +43,7 @@ void expect_same(const Observation& a, const Observation& b) {
   }
   EXPECT_EQ(a.operator_input.requested, b.operator_input.requested);
   EXPECT_EQ(a.operator_input.marks, b.operator_input.marks);
+  EXPECT_EQ(a.operator_input.goal_changes, b.operator_input.goal_changes);
   EXPECT_EQ(a.operator_input.quit, b.operator_input.quit);
   EXPECT_EQ(a.operator_input.gives_up, b.operator_input.gives_up);
   EXPECT_EQ(a.bumper_pressed, b.bumper_pressed);

@@ -92,6 +92,16 @@ void GuideNavigator::send_to(std::vector<GoalPlace> places, double stamp_s) {
   places_ = std::move(places);
   next_ = 0;
   headings_.clear();
+  begin_place(stamp_s);
+}
+
+void GuideNavigator::remove_place(std::size_t place, double stamp_s) {
+  places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(place));
+  if (place == next_) begin_place(stamp_s);
+}
+
+/// It has driven no part of the path to the next place.
+void GuideNavigator::begin_place(double stamp_s) {
   facing_ = {};
   progress_s_ = stamp_s;
   relaxes_clearance_ = false;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "aisle/core/rounded.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/missions/changed_parameters.hpp"
 
@@ -70,12 +71,18 @@ GoalPlace home_goal(const Building& building) {
   return {home_of(building).position()};
 }
 
-Result<GoalPlace> find_place(const Building& building, const std::string& text) {
+/// A place, or a point without a name.
+struct FoundGoal {
+  GoalPlace place;
+  std::string name;
+};
+
+Result<FoundGoal> find_goal(const Building& building, const std::string& text) {
   for (const MapPlace& place : building.places) {
-    if (place.name == text) return goal_at(place);
+    if (place.name == text) return FoundGoal{goal_at(place), text};
   }
   for (std::size_t i = 0; i < building.corridors.nodes.size(); ++i) {
-    if (building.corridors.name_of(i) == text) return GoalPlace{building.corridors.nodes[i].p_map};
+    if (building.corridors.name_of(i) == text) return FoundGoal{{building.corridors.nodes[i].p_map}, text};
   }
   const auto place = goal_place_of(text);
   if (!place)
@@ -83,7 +90,7 @@ Result<GoalPlace> find_place(const Building& building, const std::string& text) 
                                      known_names(building)));
   if (building.floor->at(place->p_map) != Floor::kFree)
     return place_problem(fmt::format("nothing is known at {} that could be driven on", text));
-  return *place;
+  return FoundGoal{*place, ""};
 }
 
 /// Length of the path from one point to another along the corridors, with the legs to and from them.
@@ -92,6 +99,17 @@ double shortest_m(const CorridorGraph& graph, const Vec2& from, const Vec2& to) 
   if (!first || !last) return (to - from).norm();
   const auto path = shortest_path(graph, *first, *last);
   return path ? first->lateral_m + path->length_m() + last->lateral_m : 0;
+}
+
+/// From home to one place after the other.
+double shortest_through_m(const Building& building, const std::vector<GoalPlace>& places) {
+  double length_m = 0;
+  Vec2 p_map_from = home_of(building).position();
+  for (const GoalPlace& place : places) {
+    length_m += shortest_m(building.corridors, p_map_from, place.p_map);
+    p_map_from = place.p_map;
+  }
+  return length_m;
 }
 
 std::size_t node_nearest(const CorridorGraph& graph, const Vec2& p_map) {
@@ -170,28 +188,44 @@ Result<Goal> goal_to(const Building& building, const std::string& place) {
 
 Result<Goal> goal_through(const Building& building, const std::vector<std::string>& places) {
   Goal goal;
-  goal.is_queue = places.size() > 1;
   Problems problems;
-  Vec2 p_map_from = home_of(building).position();
+  std::size_t number = 0;
   const auto refuse = [&](Problem problem) {
-    if (goal.is_queue) problem.what = fmt::format("goal {}: {}", goal.places.size() + 1, problem.what);
+    if (places.size() > 1) problem.what = fmt::format("goal {}: {}", number, problem.what);
     problems.push_back(std::move(problem));
   };
   for (const std::string& text : places) {
-    const auto place = find_place(building, text);
-    if (!place) {
-      for (const Problem& problem : place.problems()) refuse(problem);
-      goal.places.emplace_back();
+    ++number;
+    const auto found = find_goal(building, text);
+    if (!found) {
+      for (const Problem& problem : found.problems()) refuse(problem);
       continue;
     }
-    if (const Zone* zone = keep_out_around(building.zones, place->p_map))
+    if (const Zone* zone = keep_out_around(building.zones, found->place.p_map))
       refuse(place_problem(fmt::format("'{}' lies in the {}", text, words_for(*zone))));
-    goal.shortest_m += shortest_m(building.corridors, p_map_from, place->p_map);
-    goal.places.push_back(*place);
-    p_map_from = place->p_map;
+    goal.places.push_back(found->place);
+    goal.names.push_back(found->name);
   }
   if (!problems.empty()) return problems;
+  goal.shortest_m = shortest_through_m(building, goal.places);
   return goal;
+}
+
+std::string goals_json(const Goal& goal, std::size_t reached) {
+  nlohmann::ordered_json goals = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < goal.names.size(); ++i) {
+    const GoalPlace& place = goal.places[i];
+    nlohmann::ordered_json json;
+    if (!goal.names[i].empty()) {
+      json = {{"place", goal.names[i]}};
+    } else {
+      json = {{"x_m", rounded(place.p_map.x(), 3)}, {"y_m", rounded(place.p_map.y(), 3)}};
+      if (place.heading_rad) json["heading_deg"] = rounded(to_degrees(*place.heading_rad), 1);
+    }
+    goals.push_back(std::move(json));
+  }
+  return nlohmann::ordered_json{{"goals", std::move(goals)}, {"reached", reached}}.dump(
+      -1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 Result<Goal> patrol_goal(const Building& building, int rounds) {
@@ -259,6 +293,7 @@ GuideDriver::GuideDriver(const GuideNavigatorParams& params, const VehicleDescri
 }
 
 Decision GuideDriver::step(const Observation& observation) {
+  for (const GoalChange& change : observation.operator_input.goal_changes) take(change, observation.stamp_s);
   if (finder_) return find(observation);
   Decision decision = guide(observation);
   if (!navigator_.is_lost(observation.stamp_s) || observation.bumper_pressed) return decision;
@@ -271,10 +306,30 @@ Decision GuideDriver::step(const Observation& observation) {
   return {.state = "lost"};
 }
 
+void GuideDriver::take(const GoalChange& change, double stamp_s) {
+  if (goal_.names.empty()) return;  // a patrol's places are not somebody's goals
+  const std::size_t reached = navigator_.places_reached();
+  if (!change.added.empty()) {
+    const auto more = goal_to(building_, change.added);
+    if (!more) return;
+    goal_.places.push_back(more->places.front());
+    goal_.names.push_back(more->names.front());
+    navigator_.add_place(more->places.front());
+  } else {
+    const bool is_left = change.removed > reached && change.removed <= goal_.names.size();
+    if (!is_left || goal_.names.size() - reached == 1) return;
+    const std::size_t place = change.removed - 1;
+    goal_.places.erase(goal_.places.begin() + static_cast<std::ptrdiff_t>(place));
+    goal_.names.erase(goal_.names.begin() + static_cast<std::ptrdiff_t>(place));
+    navigator_.remove_place(place, stamp_s);
+  }
+  goal_.shortest_m = shortest_through_m(building_, goal_.places);
+}
+
 /// On the way to one of several goals it says to which, and that the others are left out where it fails.
 Decision GuideDriver::guide(const Observation& observation) {
   Decision decision = navigator_.step(observation);
-  if (!goal_.is_queue || decision.status == NavigatorStatus::kDone) return decision;
+  if (!goal_.is_queue() || decision.status == NavigatorStatus::kDone) return decision;
   const std::string which =
       fmt::format("goal {} of {}", navigator_.places_reached() + 1, goal_.places.size());
   decision.why = decision.why.empty() ? which : which + ": " + decision.why;

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <type_traits>
+#include <utility>
 
+#include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/geometry/segment2.hpp"
 #include "aisle/maps/cell_index.hpp"
 
@@ -30,6 +34,7 @@ class GuideMissionRecorder final : public MissionRecorder {
   using MissionRecorder::keep;
 
   Problems keep(const Decision& decision) override {
+    show_goals();
     if (driver_.is_finding()) return MissionRecorder::keep(decision);
     const GuideNavigator& navigator = driver_.navigator();
     result_.T_map_vehicle.push_back(navigator.T_map_vehicle());
@@ -42,8 +47,19 @@ class GuideMissionRecorder final : public MissionRecorder {
   }
 
  private:
+  void show_goals() {
+    if constexpr (std::is_same_v<Driver, GuideDriver>) {
+      if (!is_watched()) return;
+      std::string goals = goals_json(driver_.goal(), driver_.navigator().places_reached());
+      if (goals == goals_shown_) return;
+      show(goals_topic(), cdr_bytes(ros::String{goals}));
+      goals_shown_ = std::move(goals);
+    }
+  }
+
   const Driver& driver_;
   GuideMissionResult& result_;
+  std::string goals_shown_;
 };
 
 /// @param driver  GuideDriver or GoalFollower

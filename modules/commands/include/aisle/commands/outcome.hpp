@@ -4,10 +4,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
 #include "aisle/formats/sessions/message_sink.hpp"
+#include "aisle/vehicle/observation.hpp"
 
 namespace aisle {
 
@@ -33,6 +35,8 @@ struct Console {
   Progress& progress;
   std::function<void(const std::string&)> warn;
   MessageSink* watcher = nullptr;  ///< receives what a mission records; null: nobody watches
+  /// How people changed the goals of `go` since the last cycle, when it is asked; null: nobody can.
+  std::function<std::vector<GoalChange>()> goal_changes = nullptr;
 };
 
 /// Says each of them as a warning.

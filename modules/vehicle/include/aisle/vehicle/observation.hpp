@@ -1,6 +1,7 @@
 #pragma once
 /// What a vehicle reports in one cycle.
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,10 +45,19 @@ struct Mark {
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 
+/// A goal that is added to those of a mission behind the last one, or taken out before it is reached.
+struct GoalChange {
+  std::string added = {};   ///< name, "x,y" in the map [m] or "x,y,heading_deg"; empty: one is taken out
+  std::size_t removed = 0;  ///< its number, from 1; 0: none
+
+  friend bool operator==(const GoalChange&, const GoalChange&) = default;
+};
+
 /// What the person at the controls did since the last cycle.
 struct OperatorInput {
   std::optional<Command> requested;  ///< how to drive from now on; absent: nothing was pressed
   std::vector<Mark> marks;
+  std::vector<GoalChange> goal_changes = {};  ///< in this order
   bool quit = false;
   bool gives_up = false;  ///< quits because the vehicle cannot get where the route leads
 };

@@ -61,6 +61,10 @@ class GuideNavigator final : public Navigator {
 
   /// Other places, instead of those that it has not reached; none: it stands.
   void send_to(std::vector<GoalPlace> places, double stamp_s);
+  /// One more place, behind the last.
+  void add_place(const GoalPlace& place) { places_.push_back(place); }
+  /// It drives to the others only. @param place  index of one that it has not reached
+  void remove_place(std::size_t place, double stamp_s);
   /// It is somewhere else than it believed.
   void relocate(const Pose2& T_map_vehicle, double stamp_s);
   /// The vehicle is here, as somebody has found out. What it saw before may have been elsewhere: the floor is
@@ -99,6 +103,7 @@ class GuideNavigator final : public Navigator {
   bool is_at_place(const Pose2& T_map_vehicle) const;
   bool seeks_heading() const { return places_[next_].heading_rad && !facing_.is_ignored; }
   double off_heading_rad(const Pose2& T_map_vehicle) const;
+  void begin_place(double stamp_s);
   bool arrive_facing(double stamp_s);
   void give_up_heading(double stamp_s);
   void reach_place(double stamp_s);

@@ -28,7 +28,10 @@ struct MissionStart {
 struct Goal {
   std::vector<GoalPlace> places;  ///< in order
   double shortest_m = 0;          ///< length of the shortest path along the corridors, from home
-  bool is_queue = false;          ///< somebody named each of several places
+  /// Of each place, empty for a point. Of a patrol none: nobody asked for its places.
+  std::vector<std::string> names = {};
+
+  bool is_queue() const { return names.size() > 1; }
 };
 
 /// Goal at one place: the name of a place, with its heading if it has one, or of a corridor node ("crossing
@@ -39,6 +42,9 @@ Result<Goal> goal_to(const Building& building, const std::string& place);
 /// Goal at one place after the other; the problems are those of all of them.
 /// @param places  as in goal_to(), at least one
 Result<Goal> goal_through(const Building& building, const std::vector<std::string>& places);
+
+/// {"goals":[{"place":"desk"},{"x_m":1,"y_m":2,"heading_deg":90}],"reached":1}; a patrol has no goals.
+std::string goals_json(const Goal& goal, std::size_t reached);
 
 /// Goal along all corridors, `rounds` times, and home again, with its heading.
 Result<Goal> patrol_goal(const Building& building, int rounds);
@@ -70,7 +76,8 @@ class GuideDriver final : public Navigator {
   GuideDriver(const GuideDriver&) = delete;
   GuideDriver& operator=(const GuideDriver&) = delete;
 
-  /// Finds the vehicle first, unless it begins at home, and again where it is lost on its way.
+  /// Finds the vehicle first, unless it begins at home, and again where it is lost on its way. Goals that the
+  /// observation's operator adds or takes out are obeyed, unless they are unknown, reached, or the last one.
   Decision step(const Observation& observation) override;
 
   const Building& building() const { return building_; }
@@ -81,6 +88,7 @@ class GuideDriver final : public Navigator {
   std::size_t times_lost() const { return times_lost_; }
 
  private:
+  void take(const GoalChange& change, double stamp_s);
   Decision find(const Observation& observation);
   Decision guide(const Observation& observation);
   void begin_finding(const std::optional<Pose2>& T_map_hint);
