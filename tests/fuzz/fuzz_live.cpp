@@ -20,6 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (!frame) return 0;
   if (const auto* call = std::get_if<ServiceRequest>(&*frame))
     require(is_within(call->encoding, input) && is_within(call->data, input));
+  if (const auto* playback = std::get_if<PlaybackRequest>(&*frame)) require(is_within(playback->id, input));
   if (const auto* message = std::get_if<ClientMessage>(&*frame)) require(is_within(message->data, input));
   return 0;
 }

@@ -174,6 +174,37 @@ TEST_F(LiveProgram, RunsMissionsAndAnswersQuestions) {
       [&] { return state_of(client)["mode"] == "replay" && state_of(client)["replay"]["at_s"] > 0.5; });
 }
 
+TEST_F(LiveProgram, AReplayIsControlledByAViewersOwnControls) {
+  ASSERT_EQ(run_aisle({"drive", "l-corridor", "--out", at("kept/run"), "--no-images", "--keys",
+                       file("keys", "0-3 up\n")})
+                .exit_code,
+            0);
+  start({"live", "l-corridor", "--sessions", at("kept")});
+  LiveClient page(port), viewer(port);
+  viewer.subscribe_to_all();
+  const std::string lease = page.call("lease/take")["lease"];
+  page.call("replay/start", {{"lease", lease}, {"session", "run"}});
+  viewer.read_until([&] { return viewer.server_info.contains("dataStartTime"); });
+  EXPECT_EQ(viewer.server_info["capabilities"].back(), "playbackControl");
+  const nlohmann::json begin = viewer.server_info["dataStartTime"];
+  const std::uint64_t begin_ns =
+      begin["sec"].get<std::uint64_t>() * 1'000'000'000 + begin["nsec"].get<std::uint64_t>();
+  viewer.pause_at(begin_ns, "too early");
+  viewer.read_until([&] { return !viewer.playback.empty(); });
+  EXPECT_EQ(viewer.playback.back().request, "too early");
+  EXPECT_NE(viewer.playback.back().status, 1) << "it is not paused: the page has the controls";
+  page.call("lease/release", {{"lease", lease}});
+  viewer.pause_at(begin_ns + 1'500'000'000, "jump");
+  viewer.read_until([&] { return viewer.playback.back().request == "jump"; });
+  EXPECT_EQ(viewer.playback.back().status, 1);
+  EXPECT_EQ(viewer.playback.back().stamp, begin_ns + 1'500'000'000);
+  EXPECT_TRUE(viewer.playback.back().did_seek);
+  viewer.read_until([&] { return state_of(viewer)["replay"]["playing"] == false; });
+  EXPECT_NEAR(state_of(viewer)["replay"]["at_s"].get<double>(), 1.5, 1e-3);
+  page.call("replay/stop", {{"lease", page.call("lease/take")["lease"]}});
+  viewer.read_until([&] { return !viewer.server_info.contains("dataStartTime"); });
+}
+
 TEST_F(LiveProgram, WatchesAnotherVerb) {
   start({"drive", "l-corridor", "--operator", "page", "--live", "--no-images", "--json"});
   LiveClient client(port);

@@ -54,6 +54,12 @@ class LiveClient {
     std::uint64_t stamp = 0;
     std::string cdr;
   };
+  struct PlaybackState {
+    int status = 0;
+    std::uint64_t stamp = 0;
+    bool did_seek = false;
+    std::string request;
+  };
 
   explicit LiveClient(std::uint16_t port, const std::map<std::string, std::string>& headers = {},
                       const std::string& target = "/",
@@ -121,12 +127,21 @@ class LiveClient {
   }
   void drive(const nlohmann::json& command) { send_bytes("\x01" + uint32(1) + command.dump()); }
 
+  /// Pauses a replay at a time.
+  void pause_at(std::uint64_t stamp, const std::string& request) {
+    const std::string once = uint32(0x3f800000);  // as fast as it happened
+    send_bytes("\x03\x01" + once + "\x01" + uint32(static_cast<std::uint32_t>(stamp)) +
+               uint32(static_cast<std::uint32_t>(stamp >> 32)) +
+               uint32(static_cast<std::uint32_t>(request.size())) + request);
+  }
+
   void close() { socket_.close(boost::beast::websocket::close_code::normal); }
 
   std::map<std::uint32_t, std::string> topics;  ///< by channel
   std::map<std::uint32_t, nlohmann::json> channels;
   std::map<std::string, std::uint32_t> services;
   std::vector<Message> messages;
+  std::vector<PlaybackState> playback;
   std::vector<std::string> statuses;
   nlohmann::json server_info;
   std::uint64_t time_ns = 0;
@@ -177,6 +192,11 @@ class LiveClient {
       const std::size_t length = number_in(frame, 9, 4);
       answers_[static_cast<std::uint32_t>(number_in(frame, 5, 4))] = {true,
                                                                       std::string(frame.substr(13 + length))};
+    } else if (op == 5) {
+      playback.push_back({.status = frame.at(1),
+                          .stamp = number_in(frame, 2, 8),
+                          .did_seek = frame.at(14) != 0,
+                          .request = std::string(frame.substr(19, number_in(frame, 15, 4)))});
     } else {
       throw std::runtime_error("no message of the protocol");
     }

@@ -1,5 +1,7 @@
 #include "aisle/live/client_frame.hpp"
 
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -14,6 +16,8 @@ using Json = nlohmann::json;
 
 constexpr char kClientMessageOp = 1;
 constexpr char kServiceRequestOp = 2;
+constexpr char kPlaybackRequestOp = 3;
+constexpr char kPauseCommand = 1;  // 0: play
 
 std::optional<std::uint32_t> id_in(const Json& value) {
   if (!value.is_number_unsigned()) return std::nullopt;
@@ -70,6 +74,22 @@ std::optional<ClientFrame> request_of(std::optional<std::vector<Element>> list) 
   return Request{std::move(*list)};
 }
 
+std::optional<ClientFrame> playback_request_in(LittleEndianReader& reader) {
+  const auto command = reader.byte();
+  const auto rate_bits = reader.uint32();
+  const auto seeks = reader.byte();
+  const auto seek_to_ns = reader.uint64();  // there in any case
+  const auto length = reader.uint32();
+  if (!command || !rate_bits || !seeks || !seek_to_ns || !length) return std::nullopt;
+  const auto id = reader.bytes(*length);
+  const auto rate = std::bit_cast<float>(*rate_bits);
+  if (!id || static_cast<unsigned char>(*command) > kPauseCommand || !std::isfinite(rate))
+    return std::nullopt;
+  PlaybackRequest request{.plays = *command != kPauseCommand, .rate = rate, .id = *id};
+  if (*seeks != 0) request.seek_to_ns = *seek_to_ns;
+  return request;
+}
+
 }  // namespace
 
 std::optional<ClientFrame> parse_client_text(std::string_view text) {
@@ -94,6 +114,7 @@ std::optional<ClientFrame> parse_client_bytes(std::string_view bytes) {
     if (!channel) return std::nullopt;
     return ClientMessage{*channel, reader.rest()};
   }
+  if (op == kPlaybackRequestOp) return playback_request_in(reader);
   if (op != kServiceRequestOp) return std::nullopt;
   const auto service = reader.uint32(), call = reader.uint32(), length = reader.uint32();
   if (!service || !call || !length) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "aisle/formats/json_document.hpp"
@@ -13,6 +14,8 @@ constexpr const char* kDriveTopic = "/drive";
 constexpr const char* kTakeLease = "lease/take";
 constexpr const char* kRenewLease = "lease/renew";
 constexpr const char* kReleaseLease = "lease/release";
+constexpr const char* kPlayReplay = "replay/play";
+constexpr const char* kControlReplay = "replay/control";  // by the protocol's own message alone
 
 std::string lease_in(const nlohmann::json& arguments) {
   const auto found = arguments.find("lease");
@@ -35,12 +38,18 @@ Hub::Hub(std::string name, std::string version, std::vector<LiveService> service
       services_(with_lease_services(std::move(services))),
       drive_(drive),
       post_(std::move(post)),
-      lease_(clock, chance_token) {}
+      lease_(clock, chance_token),
+      session_(chance_token()) {}
+
+std::string Hub::server_info() const {
+  return server_info_frame(name_, version_, fmt::format("{}-{}", session_, sessions_),
+                           playback_ ? &*playback_ : nullptr);
+}
 
 void Hub::join(ClientId id, Send send) {
   const Client& client =
       clients_[id] = {.send = std::move(send), .channel_of = {}, .subscription_of = {}, .channels = {}};
-  client.send_text(server_info_frame(name_, version_));
+  client.send_text(server_info());
   std::vector<LiveChannel> channels;
   channels.reserve(channels_.size());
   for (const Channel& channel : channels_)
@@ -92,6 +101,7 @@ struct Hub::Reception {
   }
   void operator()(const ClientMessage& message) const { hub.receive_message(client, message); }
   void operator()(const ServiceRequest& request) const { hub.call(id, client, request); }
+  void operator()(const PlaybackRequest& request) const { hub.control_playback(id, client, request); }
 };
 
 bool Hub::receive_text(ClientId client, std::string_view text) {
@@ -131,7 +141,48 @@ void Hub::publish(const SessionTopic& topic, ros::Stamp_ns stamp, std::shared_pt
   channels_[id - 1].latched = std::move(cdr);
 }
 
+void Hub::show_playback(const std::optional<Playback>& playback) {
+  const bool begins_or_ends = playback.has_value() != playback_.has_value();
+  playback_ = playback;
+  if (begins_or_ends) ++sessions_;
+  for (const auto& [id, client] : clients_) {
+    if (begins_or_ends) client.send_text(server_info());
+    if (playback_ && client.controls_playback)
+      client.send({.head = playback_state_frame(*playback_, ""), .body = {}});
+  }
+}
+
+/// Nothing moves by it, so no lease is needed; but who holds one is not disturbed.
+void Hub::control_playback(ClientId id, Client& client, const PlaybackRequest& request) {
+  client.controls_playback = true;
+  const std::string request_id(request.id);
+  const auto replay = std::find_if(services_.begin(), services_.end(),
+                                   [](const LiveService& service) { return service.name == kPlayReplay; });
+  if (!playback_ || replay == services_.end())
+    return answer_playback(id, request_id, false, "nothing is being replayed");
+  if (lease_.is_held_by_another(id))
+    return answer_playback(id, request_id, false, "another client has the controls");
+  nlohmann::json arguments = {{"plays", request.plays}, {"rate", request.rate}};
+  if (request.seek_to_ns) arguments["seek_to_ns"] = *request.seek_to_ns;
+  const auto reply = [this, id, request_id](bool is_done, std::string text) {
+    post_([this, id, request_id, is_done, said = std::move(text)] {
+      answer_playback(id, request_id, is_done, said);
+    });
+  };
+  if (!replay->mailbox->put({kControlReplay, std::move(arguments), reply}))
+    answer_playback(id, request_id, false, "too many requests at once");
+}
+
+/// What was refused is answered, too: the viewer's controls show what is.
+void Hub::answer_playback(ClientId id, const std::string& request, bool is_done, const std::string& text) {
+  const auto client = clients_.find(id);
+  if (client == clients_.end()) return;
+  if (!is_done) client->second.say(StatusLevel::kWarning, text);
+  if (playback_) client->second.send({.head = playback_state_frame(*playback_, request), .body = {}});
+}
+
 void Hub::publish_time(ros::Stamp_ns stamp) {
+  if (playback_) playback_->at = stamp;
   for (const auto& [id, client] : clients_)
     client.send({.head = time_frame(stamp), .body = {}, .may_be_lost = true});
 }

@@ -3,12 +3,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "aisle/live/client_frame.hpp"
 #include "aisle/live/drive_command.hpp"
 #include "aisle/live/driver_lease.hpp"
+#include "aisle/live/playback.hpp"
 #include "aisle/live/service_call.hpp"
 #include "send_queue.hpp"
 #include "server_frame.hpp"
@@ -39,6 +41,8 @@ class Hub {
 
   void publish(const SessionTopic& topic, ros::Stamp_ns stamp, std::shared_ptr<const std::string> cdr);
   void publish_time(ros::Stamp_ns stamp);
+  /// A replay has begun, ended (nullopt) or changed how it goes on.
+  void show_playback(const std::optional<Playback>& playback);
   /// Nothing is sent after this to the clients that are here.
   void say_goodbye();
   /// Later subscribers get no message from before this call.
@@ -58,6 +62,7 @@ class Hub {
     std::map<std::uint32_t, std::uint32_t> channel_of;       ///< by subscription
     std::map<std::uint32_t, std::uint32_t> subscription_of;  ///< by channel
     std::map<std::uint32_t, ClientChannel> channels;         ///< its own
+    bool controls_playback = false;  ///< it knows such messages: older ones take them for an error
 
     void say(StatusLevel level, const std::string& message) const;
     void send_text(std::string text) const { send({.head = std::move(text), .is_text = true}); }
@@ -65,6 +70,9 @@ class Hub {
 
   struct Reception;
 
+  std::string server_info() const;
+  void control_playback(ClientId id, Client& client, const PlaybackRequest& request);
+  void answer_playback(ClientId id, const std::string& request, bool is_done, const std::string& text);
   std::uint32_t channel_id(const SessionTopic& topic);
   void subscribe(Client& client, const Subscription& wanted);
   void advertise(Client& client, ClientChannel channel);
@@ -80,6 +88,9 @@ class Hub {
   DriveInbox& drive_;
   Post post_;
   DriverLease lease_;
+  std::optional<Playback> playback_;  ///< of the session that is replayed
+  std::string session_;               ///< what clients have received is of this one
+  std::uint64_t sessions_ = 0;
   std::vector<Channel> channels_;  ///< ids count from 1
   std::map<std::string, std::uint32_t> ids_;
   std::map<ClientId, Client> clients_;

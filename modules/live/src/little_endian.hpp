@@ -24,14 +24,8 @@ class LittleEndianReader {
     return taken ? std::optional(taken->front()) : std::nullopt;
   }
 
-  std::optional<std::uint32_t> uint32() {
-    const auto taken = bytes(sizeof(std::uint32_t));
-    if (!taken) return std::nullopt;
-    std::uint32_t number = 0;
-    for (std::size_t i = sizeof(number); i-- > 0;)
-      number = number << 8 | static_cast<std::uint8_t>((*taken)[i]);
-    return number;
-  }
+  std::optional<std::uint32_t> uint32() { return number<std::uint32_t>(); }
+  std::optional<std::uint64_t> uint64() { return number<std::uint64_t>(); }
 
   std::optional<std::string_view> bytes(std::size_t count) {
     if (count > rest_.size()) return std::nullopt;
@@ -43,6 +37,16 @@ class LittleEndianReader {
   std::string_view rest() const { return rest_; }
 
  private:
+  template <class Number>
+  std::optional<Number> number() {
+    const auto taken = bytes(sizeof(Number));
+    if (!taken) return std::nullopt;
+    Number number = 0;
+    for (std::size_t i = sizeof(number); i-- > 0;)
+      number = number << 8 | static_cast<std::uint8_t>((*taken)[i]);
+    return number;
+  }
+
   std::string_view rest_;
 };
 

@@ -86,6 +86,12 @@ class LiveServer::Engine {
   void forget_latched() {
     asio::post(io_, [this] { hub_.forget_latched(); });
   }
+  void show_playback(const std::optional<Playback>& playback) {
+    asio::post(io_, [this, playback] {
+      drain();
+      hub_.show_playback(playback);
+    });
+  }
   void say_goodbye() {
     asio::post(io_, [this] {
       boost::system::error_code ignored;
@@ -216,6 +222,9 @@ void LiveServer::take_time(ros::Stamp_ns stamp) {
 }
 void LiveServer::forget_latched() {
   engine_->forget_latched();
+}
+void LiveServer::show_playback(const std::optional<Playback>& playback) {
+  engine_->show_playback(playback);
 }
 void LiveServer::say_goodbye() {
   engine_->say_goodbye();

@@ -1,5 +1,6 @@
 #include "server_frame.hpp"
 
+#include <bit>
 #include <nlohmann/json.hpp>
 
 #include "aisle/formats/sessions/message_schema.hpp"
@@ -10,7 +11,12 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-enum ServerOp : char { kMessageData = 1, kTime = 2, kServiceResponse = 3 };
+enum ServerOp : char { kMessageData = 1, kTime = 2, kServiceResponse = 3, kPlaybackState = 5 };
+
+OrderedJson time_json(ros::Stamp_ns stamp) {
+  constexpr ros::Stamp_ns kSecond_ns = 1'000'000'000;
+  return {{"sec", stamp / kSecond_ns}, {"nsec", stamp % kSecond_ns}};
+}
 
 /// Statuses quote what clients wrote, so invalid UTF-8 is replaced.
 std::string frame_text(const OrderedJson& json) {
@@ -19,12 +25,20 @@ std::string frame_text(const OrderedJson& json) {
 
 }  // namespace
 
-std::string server_info_frame(const std::string& name, const std::string& version) {
-  return frame_text({{"op", "serverInfo"},
-                     {"name", name},
-                     {"capabilities", {"clientPublish", "services", "time"}},
-                     {"supportedEncodings", {"json"}},
-                     {"metadata", {{"aisle", version}}}});
+std::string server_info_frame(const std::string& name, const std::string& version,
+                              const std::string& session_id, const Playback* playback) {
+  OrderedJson info = {{"op", "serverInfo"},
+                      {"name", name},
+                      {"capabilities", {"clientPublish", "services", "time"}},
+                      {"supportedEncodings", {"json"}},
+                      {"metadata", {{"aisle", version}}},
+                      {"sessionId", session_id}};
+  if (playback != nullptr) {
+    info["capabilities"].push_back("playbackControl");
+    info["dataStartTime"] = time_json(playback->first);
+    info["dataEndTime"] = time_json(playback->last);
+  }
+  return frame_text(info);
 }
 
 std::string advertise_frame(std::span<const LiveChannel> channels) {
@@ -71,6 +85,17 @@ std::string message_header(std::uint32_t subscription, ros::Stamp_ns stamp) {
 std::string time_frame(ros::Stamp_ns stamp) {
   std::string bytes(1, kTime);
   append_little_endian(bytes, static_cast<std::uint64_t>(stamp));
+  return bytes;
+}
+
+std::string playback_state_frame(const Playback& playback, std::string_view request) {
+  std::string bytes(1, kPlaybackState);
+  append_little_endian(bytes, static_cast<std::uint8_t>(playback.status));
+  append_little_endian(bytes, static_cast<std::uint64_t>(playback.at));
+  append_little_endian(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(playback.rate)));
+  append_little_endian(bytes, static_cast<std::uint8_t>(playback.did_seek));
+  append_little_endian(bytes, static_cast<std::uint32_t>(request.size()));
+  bytes += request;
   return bytes;
 }
 

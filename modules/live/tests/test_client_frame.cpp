@@ -53,11 +53,30 @@ TEST(ClientFrame, ServiceCallsAreReadLittleEndian) {
   EXPECT_EQ(request.data, "{}");
 }
 
+TEST(ClientFrame, APlaybackRequestMaySeek) {
+  // 1.5 times as fast, to 258 ns
+  const std::string bytes = "\x03\x01\0\0\xc0\x3f\x01\x02\x01\0\0\0\0\0\0\x02\0\0\0id"s;
+  const auto frame = parse_client_bytes(bytes);
+  ASSERT_TRUE(frame);
+  const auto& request = std::get<PlaybackRequest>(*frame);
+  EXPECT_FALSE(request.plays);
+  EXPECT_EQ(request.rate, 1.5F);
+  EXPECT_EQ(request.seek_to_ns, 258U);
+  EXPECT_EQ(request.id, "id");
+  const auto plays = parse_client_bytes("\x03\0\0\0\x80\x3f\0\x02\x01\0\0\0\0\0\0\x01\0\0\0x"s);
+  ASSERT_TRUE(plays);
+  EXPECT_TRUE(std::get<PlaybackRequest>(*plays).plays);
+  EXPECT_FALSE(std::get<PlaybackRequest>(*plays).seek_to_ns) << "the flag before it says that it does not";
+}
+
 TEST(ClientFrame, BytesThatAreNoMessageAreNone) {
   EXPECT_FALSE(parse_client_bytes(""));
   EXPECT_FALSE(parse_client_bytes("\x01\0\0"s));
   EXPECT_FALSE(parse_client_bytes("\x09\0\0\0\0"s));
   EXPECT_FALSE(parse_client_bytes("\x02\0\0\0\0\0\0\0\0\xff\xff\xff\xff json"s)) << "a length beyond the end";
+  EXPECT_FALSE(parse_client_bytes("\x03\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\x02\0\0\0x"s)) << "likewise";
+  EXPECT_FALSE(parse_client_bytes("\x03\x02\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\x01\0\0\0x"s)) << "no command";
+  EXPECT_FALSE(parse_client_bytes("\x03\0\0\0\x80\x7f\0\0\0\0\0\0\0\0\0\x01\0\0\0x"s)) << "infinitely fast";
 }
 
 }  // namespace

@@ -109,6 +109,75 @@ TEST_F(HubTest, GreetsWithWhatItOffers) {
   EXPECT_EQ(late.texts[2]["op"], "advertiseServices");
 }
 
+class HubPlayback : public testing::Test {
+ protected:
+  HubPlayback() {
+    for (const ClientId id : {ClientId{1}, ClientId{2}})
+      hub.join(id, [this, id](OutFrame frame) { sent[id].take(std::move(frame)); });
+  }
+
+  void ask(ClientId id) {
+    EXPECT_TRUE(
+        hub.receive_bytes(id, std::string("\x03\x01\0\0\0\x40\x01\x02\x01\0\0\0\0\0\0\x02\0\0\0id", 21)));
+  }
+
+  SetClock clock;
+  DriveInbox inbox{clock};
+  ServiceMailbox mailbox;
+  Hub hub{"aisle", "1",   {{"replay/play", true, &mailbox}},
+          clock,   inbox, [](const std::function<void()>& work) { work(); }};
+  std::map<ClientId, Sent> sent;
+  const Playback replay{.first = 1'000'000'000, .last = 9'000'000'005, .at = 258, .rate = 2};
+};
+
+TEST_F(HubPlayback, IsOfferedWhileASessionIsReplayed) {
+  const Json before = sent[1].texts.front();
+  EXPECT_FALSE(before.contains("dataStartTime"));
+  hub.show_playback(replay);
+  const Json during = sent[1].take_last();
+  EXPECT_EQ(during["op"], "serverInfo");
+  EXPECT_EQ(during["capabilities"].back(), "playbackControl");
+  EXPECT_EQ(during["dataStartTime"], Json({{"sec", 1}, {"nsec", 0}}));
+  EXPECT_EQ(during["dataEndTime"], Json({{"sec", 9}, {"nsec", 5}}));
+  EXPECT_NE(during["sessionId"], before["sessionId"]);
+  hub.show_playback(replay);
+  EXPECT_THAT(sent[1].texts, IsEmpty()) << "it is the same one";
+  hub.show_playback({});
+  EXPECT_EQ(sent[1].take_last()["capabilities"].size(), 3U);
+}
+
+TEST_F(HubPlayback, ARequestIsPassedOnAndAnsweredWithItsId) {
+  hub.show_playback(replay);
+  ask(1);
+  const auto call = mailbox.take();
+  ASSERT_TRUE(call);
+  EXPECT_EQ(call->service(), "replay/control");
+  EXPECT_EQ(call->arguments(), Json({{"plays", false}, {"rate", 2.0}, {"seek_to_ns", 258}}));
+  Playback paused = replay;
+  paused.status = PlaybackStatus::kPaused;
+  paused.did_seek = true;
+  hub.show_playback(paused);
+  call->answer(nlohmann::ordered_json::object());
+  ASSERT_EQ(sent[1].messages.size(), 2U);
+  const std::string state("\x05\x01\x02\x01\0\0\0\0\0\0\0\0\0\x40\x01", 15);
+  EXPECT_EQ(sent[1].messages[0].head, state + std::string("\0\0\0\0", 4));
+  EXPECT_EQ(sent[1].messages[1].head, state + std::string("\x02\0\0\0id", 6));
+  EXPECT_THAT(sent[2].messages, IsEmpty()) << "it may not know such messages";
+}
+
+TEST_F(HubPlayback, ARequestIsRefusedWithoutAReplayAndWhileAnotherHasTheControls) {
+  ask(1);
+  EXPECT_THAT(sent[1].take_last()["message"], HasSubstr("nothing is being replayed"));
+  hub.show_playback(replay);
+  ASSERT_TRUE(hub.lease().take(2));
+  ask(1);
+  EXPECT_THAT(sent[1].take_last()["message"], HasSubstr("another client has the controls"));
+  EXPECT_FALSE(mailbox.take());
+  EXPECT_EQ(sent[1].messages.back().head.substr(1, 1), std::string(1, '\0')) << "what it is: playing";
+  ask(2);
+  EXPECT_TRUE(mailbox.take());
+}
+
 TEST_F(HubTest, SendsMessagesOnlyToSubscribers) {
   hub.publish(kScan, 5, body("before"));
   EXPECT_THAT(client.messages, IsEmpty());

@@ -102,6 +102,7 @@ class LiveRun {
     replay_ = std::make_unique<LiveReplay>(session, control_);
     const Problems problems = replay_->run();
     replay_.reset();
+    control_.show_playback({});
     state.replay = nullptr;
     control_.set_rate(options_.listening.rate);
     control_.begin();  // the vehicle is not where the session ended

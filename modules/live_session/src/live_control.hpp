@@ -74,6 +74,7 @@ class LiveControl final : public Progress, public MessageSink {
   /// Simulated time stands still for a while, then continues from the same value.
   void rest() { pace_.rest(); }
   double rate() const { return pace_.rate(); }
+  void show_playback(const std::optional<Playback>& playback) { server_.show_playback(playback); }
   void set_rate(double rate);
   /// Sends the state to all clients if it changed or the last one is half a second old.
   void tell_state();

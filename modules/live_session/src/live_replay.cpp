@@ -57,6 +57,7 @@ Problems LiveReplay::play() {
       if (Problems problems = seek(*to_s); !problems.empty()) return problems;
     }
     tell(seconds_of(at_ - first_));
+    show_playback();
     if (!is_playing_ || has_ended_) {
       control_.rest();
       control_.serve(kPausedPoll_s);
@@ -95,10 +96,14 @@ Result<bool> LiveReplay::show_next() {
   return true;
 }
 
+ros::Stamp_ns LiveReplay::stamp_at(double at_s) const {
+  return first_ +
+         static_cast<ros::Stamp_ns>(std::llround(std::clamp(at_s, 0.0, seconds_of(last_ - first_)) * 1e9));
+}
+
 /// Jumps to a time and shows what there was to be seen then.
 Problems LiveReplay::seek(double to_s) {
-  const auto to = first_ + static_cast<ros::Stamp_ns>(
-                               std::llround(std::clamp(to_s, 0.0, seconds_of(last_ - first_)) * 1e9));
+  const ros::Stamp_ns to = stamp_at(to_s);
   if (Problems problems = open(); !problems.empty()) return problems;
   control_.forget_past(first_);
   const auto messages = messages_at(to);
@@ -144,6 +149,43 @@ void LiveReplay::tell(double at_s) {
                   {"playing", is_playing_ && !has_ended_},   {"rate", control_.rate()}};
 }
 
+/// As it will be once it has jumped to where it was asked to.
+Playback LiveReplay::playback() const {
+  const bool has_ended = has_ended_ && !seek_to_s_;
+  return {.first = first_,
+          .last = last_,
+          .at = seek_to_s_ ? stamp_at(*seek_to_s_) : at_,
+          .rate = control_.rate(),
+          .status = has_ended     ? PlaybackStatus::kEnded
+                    : is_playing_ ? PlaybackStatus::kPlaying
+                                  : PlaybackStatus::kPaused,
+          .did_seek = seek_to_s_.has_value()};
+}
+
+/// Shows what has changed; that it goes on, the stamps tell. A jump is shown before what there is to be seen.
+void LiveReplay::show_playback() {
+  const Playback now = playback();
+  const bool is_news =
+      !shown_ || now.did_seek || shown_->did_seek || now.status != shown_->status || now.rate != shown_->rate;
+  if (!is_news) return;
+  control_.show_playback(now);
+  shown_ = now;
+}
+
+/// What a viewer asks by the protocol's own message.
+void LiveReplay::control(const nlohmann::json& request) {
+  is_playing_ = request.at("plays").get<bool>();
+  control_.set_rate(std::clamp(request.at("rate").get<double>(), kRateMin, kRateMax));
+  if (request.contains("seek_to_ns")) {
+    const auto to =
+        std::clamp<std::uint64_t>(request.at("seek_to_ns").get<std::uint64_t>(),
+                                  static_cast<std::uint64_t>(first_), static_cast<std::uint64_t>(last_));
+    seek_to_s_ = seconds_of(static_cast<ros::Stamp_ns>(to) - first_);
+  } else if (is_playing_ && has_ended_) {
+    seek_to_s_ = 0;
+  }
+}
+
 void LiveReplay::take_call(const ServiceCall& call) {
   const std::string& service = call.service();
   LiveArguments arguments(call.arguments());
@@ -160,11 +202,14 @@ void LiveReplay::take_call(const ServiceCall& call) {
     const auto rate = arguments.number("rate");
     if (!rate || *rate < kRateMin || *rate > kRateMax) return call.refuse("rate: must be from 0.1 to 20");
     control_.set_rate(*rate);
+  } else if (service == "replay/control") {
+    control(call.arguments());
   } else if (service == "replay/stop") {
     is_stopped_ = true;
   } else {
     return call.refuse("a session is being replayed; replay/stop ends it");
   }
+  show_playback();
   call.answer(nlohmann::ordered_json::object());
 }
 

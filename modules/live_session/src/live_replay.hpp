@@ -35,9 +35,13 @@ class LiveReplay {
   Result<std::vector<KeptMessage>> messages_at(ros::Stamp_ns to);
   Result<std::optional<KeptMessage>> next();
   Problems play();
+  ros::Stamp_ns stamp_at(double at_s) const;
   Problems seek(double to_s);
   Result<bool> show_next();
   void tell(double at_s);
+  Playback playback() const;
+  void show_playback();
+  void control(const nlohmann::json& request);
 
   std::filesystem::path session_;
   LiveControl& control_;
@@ -48,6 +52,7 @@ class LiveReplay {
   bool has_ended_ = false;
   bool is_stopped_ = false;
   std::optional<double> seek_to_s_;
+  std::optional<Playback> shown_;
 };
 
 }  // namespace aisle

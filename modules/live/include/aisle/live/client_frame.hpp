@@ -55,8 +55,16 @@ struct ServiceRequest {
   std::string_view data;
 };
 
+/// How a viewer wants the replayed session to go on.
+struct PlaybackRequest {
+  bool plays = false;
+  float rate = 1;                                ///< finite
+  std::optional<std::uint64_t> seek_to_ns = {};  ///< stamp in the session
+  std::string_view id;                           ///< points into the frame; repeated in the answer
+};
+
 using ClientFrame = std::variant<SubscribeRequest, UnsubscribeRequest, AdvertiseRequest, UnadvertiseRequest,
-                                 UnofferedRequest, ClientMessage, ServiceRequest>;
+                                 UnofferedRequest, ClientMessage, ServiceRequest, PlaybackRequest>;
 
 /// @return nullopt if the text is not such a message
 std::optional<ClientFrame> parse_client_text(std::string_view text);

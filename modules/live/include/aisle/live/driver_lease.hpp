@@ -33,6 +33,7 @@ class DriverLease {
   void gone(ClientId client);
 
   bool is_held() const;
+  bool is_held_by_another(ClientId client) const { return is_held() && holder_ != client; }
   /// Grows with every lease that is granted.
   std::uint64_t number() const { return number_; }
 

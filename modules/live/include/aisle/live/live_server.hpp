@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "aisle/formats/sessions/message_sink.hpp"
 #include "aisle/live/drive_command.hpp"
 #include "aisle/live/live_folders.hpp"
+#include "aisle/live/playback.hpp"
 #include "aisle/live/service_call.hpp"
 #include "aisle/live/tls_files.hpp"
 
@@ -50,6 +52,10 @@ class LiveServer final : public MessageSink {
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) override;
   /// Sends the vehicle's time to all clients.
   void take_time(ros::Stamp_ns stamp);
+  /// Shows the replay of a session to viewers that can control one; nullopt: it has ended. Their requests
+  /// come as calls of "replay/control" with `plays`, `rate` and perhaps `seek_to_ns`, to the mailbox of
+  /// "replay/play"; what has changed must be shown before they are answered.
+  void show_playback(const std::optional<Playback>& playback);
   /// Latched messages so far are no longer sent to clients that join later.
   void forget_latched();
   /// Closes every connection once its client has taken all that was sent before; nobody can connect any more.
