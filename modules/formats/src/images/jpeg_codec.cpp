@@ -35,14 +35,14 @@ std::string encode_jpeg(const Image& image, int quality) {
   const Handle handle(tjInitCompress(), tjDestroy);
   const bool is_grey = image.channels == 1;
   const int subsampling = is_grey ? TJSAMP_GRAY : TJSAMP_420;
-  std::string bytes(tjBufSize(image.width_px, image.height_px, subsampling), '\0');
-  auto* begin = reinterpret_cast<std::uint8_t*>(bytes.data());
-  unsigned long size = bytes.size();
+  // Room for the worst image, which none is: clearing all of it takes as long as compressing.
+  unsigned long size = tjBufSize(image.width_px, image.height_px, subsampling);
+  const auto room = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+  std::uint8_t* begin = room.get();
   const int failed = tjCompress2(handle.get(), image.bytes.data(), image.width_px, 0, image.height_px,
                                  is_grey ? TJPF_GRAY : TJPF_RGB, &begin, &size, subsampling, quality,
                                  TJFLAG_ACCURATEDCT | TJFLAG_NOREALLOC);
-  bytes.resize(failed == 0 ? size : 0);
-  return bytes;
+  return {room.get(), room.get() + (failed == 0 ? size : 0)};
 }
 
 }  // namespace aisle
