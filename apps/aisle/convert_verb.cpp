@@ -120,7 +120,7 @@ void add_convert_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<ConvertOptions>();
   verb->add_option(
       "PLAN", options->plan,
-      "wall-segment text, image (PBM, PGM, PNG), drawing (SVG, PDF, DXF), map_server YAML file or "
+      "wall-segment text, image (PBM, PGM, PNG), drawing (SVG, PDF, DXF), map_server YAML file, Bee map or "
       "maze; plain or gzip");
   add_choice<PlanKind>(*verb, "--plan-format", options->from,
                        {{"segments", PlanKind::kSegments},

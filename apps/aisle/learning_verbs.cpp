@@ -118,7 +118,7 @@ void add_refine_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<RefineOptions>();
   verb->add_option(
       "BUILDING", options->building,
-      "building file (JSON): from 'aisle learn', or with walls and floor; a map of map_server (YAML)");
+      "building file (JSON): from 'aisle learn', or with walls and floor; a map of map_server (YAML) or Bee");
   verb->add_option(
       "TRIP", options->trips,
       "for landmarks: sessions of runs along the building's routes; for walls: recordings of a 2-D "

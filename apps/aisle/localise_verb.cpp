@@ -16,7 +16,8 @@ void add_localise_verb(CLI::App& app, Work& work) {
                        "aisle localise drive.clf --building map.yaml --at 1,2,90 --out poses.tum"});
   verb->add_option("LOG", options->log,
                    "recording of a 2-D laser scanner: CARMEN log, MRPT rawlog, CSV, ROS bag");
-  verb->add_option("--building", options->building, "building file (JSON), or a map of map_server (YAML)");
+  verb->add_option("--building", options->building,
+                   "building file (JSON), or a map of map_server (YAML) or Bee");
   verb->add_option_function<std::string>(
       "--at", [options](const std::string& text) { options->T_map_hint = parse_place("--at", text); },
       "where the recording begins, x,y,heading_deg in the map: a hint that is checked (default: anywhere)");

@@ -9,7 +9,7 @@ using namespace aisle;
 
 namespace {
 
-constexpr const char* kMapFile = "building file (JSON) with a floor, or map of map_server (YAML)";
+constexpr const char* kMapFile = "building file (JSON) with a floor, or map of map_server (YAML) or Bee";
 
 void add_diff_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(

@@ -24,7 +24,7 @@ void add_show_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   add_examples(*verb, {"aisle show out/office/building.json", "aisle show map.yaml --out out/map"});
   auto options = std::make_shared<ShowBuildingOptions>();
-  verb->add_option("BUILDING", options->building, "building file (JSON), or map of map_server (YAML)")
+  verb->add_option("BUILDING", options->building, "building file (JSON), or map of map_server (YAML) or Bee")
       ->required();
   verb->add_option("-o,--out", options->out, "output directory for the picture");
   verb->add_flag("--force", options->force, "overwrite an existing picture");

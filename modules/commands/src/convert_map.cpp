@@ -54,8 +54,9 @@ void add_home(std::vector<MapPlace>& places) {
 
 Problems check_places(const std::vector<MapPlace>& places, const FloorGrid& floor, const FloorGrid& allowed) {
   Problems problems;
-  for (const auto& [name, T_map_place, has_heading] : places) {
-    const Vec2 p_map = T_map_place.position();
+  for (const MapPlace& place : places) {
+    const std::string& name = place.name;
+    const Vec2 p_map = place.T_map_place.position();
     if (allowed.at(p_map) == Floor::kFree) continue;
     const char* const why = floor.at(p_map) == Floor::kFree ? "lies in a keep-out zone"
                                                             : "is not on floor that the map shows free";

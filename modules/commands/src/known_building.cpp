@@ -7,7 +7,7 @@
 
 #include "aisle/commands/plan_reading.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
-#include "aisle/formats/images/bee_map.hpp"
+#include "aisle/formats/images/cell_map.hpp"
 #include "aisle/simulation/plans/plan_tracing.hpp"
 
 namespace aisle {

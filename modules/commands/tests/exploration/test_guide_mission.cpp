@@ -217,13 +217,17 @@ double off_deg(const Driven& driven, double heading_deg) {
 
 constexpr double kFacing_deg = 11;  // 10, and what its own pose is off
 
+void expect_arrived(const Driven& driven) {
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.end.why, "");
+  EXPECT_EQ(driven.result.collisions(), 0U);
+}
+
 TEST(GuideHeading, ARobotOnTwoWheelsTurnsOnTheSpotAtItsGoal) {
   for (const double heading_deg : {-90.0, 0.0, 170.0}) {
     const Driven driven =
         drive("go 13,8," + std::to_string(heading_deg), l_building(), learned(l_building()), "turtlebot");
-    EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
-    EXPECT_EQ(driven.result.end.why, "");
-    EXPECT_EQ(driven.result.collisions(), 0U);
+    expect_arrived(driven);
     EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(13, 8)).norm(), 0.7);
     EXPECT_LT(off_deg(driven, heading_deg), 4) << "where it can, it turns to exactly the heading";
     ASSERT_EQ(driven.headings.size(), 1U);
@@ -233,17 +237,13 @@ TEST(GuideHeading, ARobotOnTwoWheelsTurnsOnTheSpotAtItsGoal) {
 
 TEST(GuideHeading, ACartTurnsWhereItHasRoomFor) {
   const Driven driven = drive("go 13,8,-90");
-  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
-  EXPECT_EQ(driven.result.end.why, "");
-  EXPECT_EQ(driven.result.collisions(), 0U);
+  expect_arrived(driven);
   EXPECT_LT(off_deg(driven, -90), kFacing_deg);
 }
 
 TEST(GuideHeading, OfANamedPlaceIsObeyed) {
   const Driven driven = drive("go desk");
-  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
-  EXPECT_EQ(driven.result.end.why, "");
-  EXPECT_EQ(driven.result.collisions(), 0U);
+  expect_arrived(driven);
   EXPECT_LT(off_deg(driven, -90), kFacing_deg);
   ASSERT_EQ(driven.headings.size(), 1U);
   EXPECT_TRUE(driven.headings[0].is_reached);
@@ -251,8 +251,7 @@ TEST(GuideHeading, OfANamedPlaceIsObeyed) {
 
 TEST(GuideHeading, OfHomeIsObeyedAtTheEndOfAPatrol) {
   const Driven driven = drive("patrol 1");
-  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
-  EXPECT_EQ(driven.result.end.why, "");
+  expect_arrived(driven);
   EXPECT_LT(off_deg(driven, 0), kFacing_deg);
 }
 

@@ -4,20 +4,17 @@
 
 #include <optional>
 
-#include "aisle/formats/images/map_server.hpp"
-#include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
 #include "file_limits.hpp"
-#include "unpacked_file.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr std::string_view kSpecification = "robot_specifications->";
 constexpr std::string_view kCells = "global_map[0]:";
-constexpr std::size_t kBeeSideMax = 8192, kBeeCellsMax = 33'000'000;
+constexpr std::size_t kBeeCellsMax = 33'000'000;
 constexpr double kResolutionMin_cm = 0.1, kResolutionMax_cm = 1000;
-constexpr double kFreeFrom = 0.8;  ///< map_server's thresholds, of a probability of being free
+constexpr double kFreeFrom = 0.8;  ///< about map_server's thresholds, of a probability of being free
 constexpr double kOccupiedTo = 0.35;
 
 class BeeMapReader {
@@ -55,8 +52,8 @@ class BeeMapReader {
   }
 
   std::optional<Problem> read_size(FieldReader& fields, const std::optional<double>& resolution_cm) {
-    const std::size_t columns = fields.count("columns", 1, kBeeSideMax);
-    const std::size_t rows = fields.count("rows", 1, kBeeSideMax);
+    const std::size_t columns = fields.count("columns", 1, kPlanSideMax);
+    const std::size_t rows = fields.count("rows", 1, kPlanSideMax);
     if (!fields.ok()) return problem(fields.failure());
     if (columns * rows > kBeeCellsMax)
       return problem(fmt::format("has {} x {} cells; at most {} are read", columns, rows, kBeeCellsMax));
@@ -105,14 +102,6 @@ Result<PlanReading> parse_bee_map(std::string_view text, const std::string& name
 
 bool begins_bee_map(std::string_view head) {
   return head.starts_with(kSpecification);
-}
-
-Result<PlanReading> read_cell_map(const std::filesystem::path& path) {
-  const Result<std::string> head = read_unpacked_head(path, kSpecification.size());
-  if (!head || !begins_bee_map(*head)) return read_map_server(path);
-  const Result<std::string> text = read_whole_file(path, kPlanBytesMax);
-  if (!text) return text.problems();
-  return parse_bee_map(*text, path.string());
 }
 
 }  // namespace aisle

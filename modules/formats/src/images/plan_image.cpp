@@ -14,12 +14,11 @@
 namespace aisle {
 namespace {
 
-constexpr int kSizeMax = 8192;
 constexpr int kNearlyWhite = 248;  ///< from here on it is paper, not a drawn line
 constexpr double kLightGreyShare_percent = 0.2;
 
 bool is_too_large(const ImageSize& size) {
-  return std::max(size.width_px, size.height_px) > kSizeMax ||
+  return std::max(size.width_px, size.height_px) > kPlanSideMax ||
          size.width_px * size.height_px > kImagePixelsMax;
 }
 
@@ -101,15 +100,15 @@ Result<TransparentImage> parse_plan_pixels(std::string_view bytes, const std::st
         {name},
         fmt::format("has {} x {} pixels; at most {} columns and rows, {} million in all, are read: "
                     "a smaller copy needs a larger --resolution",
-                    size->width_px, size->height_px, kSizeMax, kImagePixelsMax / 1'000'000)};
+                    size->width_px, size->height_px, kPlanSideMax, kImagePixelsMax / 1'000'000)};
   }
   if (bytes.starts_with("P1") || bytes.starts_with("P4")) {
-    const auto bitmap = parse_pbm(bytes, name, kSizeMax);
+    const auto bitmap = parse_pbm(bytes, name, kPlanSideMax);
     if (!bitmap) return bitmap.problems();
     return TransparentImage{image_of(*bitmap), {}};
   }
   if (bytes.starts_with("P2") || bytes.starts_with("P5")) {
-    auto graymap = parse_pgm(bytes, name, kSizeMax);
+    auto graymap = parse_pgm(bytes, name, kPlanSideMax);
     if (!graymap) return graymap.problems();
     return TransparentImage{std::move(*graymap), {}};
   }

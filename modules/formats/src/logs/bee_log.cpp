@@ -8,9 +8,9 @@
 #include "field_reader.hpp"
 #include "logs/carmen_beam_angles.hpp"
 #include "logs/carmen_range.hpp"
+#include "logs/left_out_lines.hpp"
 #include "logs/length_unit.hpp"
 #include "logs/mended_clock.hpp"
-#include "logs/occurrences.hpp"
 #include "logs/recorded_mounting.hpp"
 #include "logs/recording_checks.hpp"
 #include "logs/scan_beams.hpp"
@@ -22,7 +22,7 @@ namespace {
 constexpr double kUnit_m = metres_per(LengthUnit::kCentimetre);
 constexpr std::size_t kBeeReadingsMin = 10, kBeeReadingsMax = 10000;
 constexpr std::size_t kBesideReadings = 7;  ///< numbers of a record L that are none: two poses and the stamp
-constexpr double kBeeStampMax_s = 1e11, kBeeReadingMax = 1e9;
+constexpr double kBeeStampMax_s = 1e11;
 
 class BeeLogParser {
  public:
@@ -40,9 +40,7 @@ class BeeLogParser {
     if (kind.empty() || kind == "O") return;
     if (kind != "L") fields.fail(fmt::format("'{}' is not a record L or O", printable(kind)));
     if (fields.ok()) read_scan(fields, number);
-    if (fields.ok()) return;
-    if (bad_.count == 0) first_failure_ = fields.failure();
-    bad_.add(number);
+    if (!fields.ok()) left_out_.add(number, fields.failure());
   }
 
   void read_scan(FieldReader& fields, long line) {
@@ -54,7 +52,7 @@ class BeeLogParser {
     scan.line = line;
     scan.ranges_m.reserve(numbers - kBesideReadings);
     for (std::size_t i = kBesideReadings; i < numbers && fields.ok(); ++i)
-      scan.ranges_m.push_back(readings_.kept(kUnit_m * fields.number("reading", kBeeReadingMax), line));
+      scan.ranges_m.push_back(readings_.kept(kUnit_m * fields.any_number("reading"), line));
     scan.stamp_s = fields.number("stamp", kBeeStampMax_s);
     if (!fields.ok()) return;
     scan.beams = flaser_beams(scan.ranges_m.size(), std::nullopt);
@@ -67,10 +65,7 @@ class BeeLogParser {
   Result<LaserRecording> finish(const RecordingOptions& options) {
     LaserLog& log = recording_.log;
     if (log.scans.empty()) return Problem{{name_}, "has no scan that can be read"};
-    if (bad_.count > 0)
-      recording_.warnings.push_back(
-          {{name_, bad_.first_line},
-           fmt::format("{}; lines that cannot be read are left out: {}", first_failure_, bad_.count)});
+    left_out_.warn(name_, recording_.warnings);
     readings_.warn(name_, recording_.warnings);
     settle_beams(log, name_, recording_.warnings);
     log.laser().range_max_m = find_range_max_m(log.scans, 0);
@@ -88,8 +83,7 @@ class BeeLogParser {
   LaserRecording recording_;
   RecordedMounting mounting_;
   ReadingCounts readings_;
-  Occurrences bad_;
-  std::string first_failure_;
+  LeftOutLines left_out_;
 };
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include "aisle/core/angle.hpp"
 #include "field_reader.hpp"
 #include "logs/carmen_range.hpp"
+#include "logs/left_out_lines.hpp"
 #include "logs/mended_clock.hpp"
-#include "logs/occurrences.hpp"
 #include "logs/recording_checks.hpp"
 #include "logs/scan_beams.hpp"
 #include "logs/scan_readings.hpp"
@@ -92,16 +92,11 @@ class CountedLog {
     recording_.log.scans.push_back(std::move(scan));
   }
 
-  void leave_out(long line, const std::string& why) {
-    if (bad_.count == 0) first_failure_ = why;
-    bad_.add(line);
-  }
+  void leave_out(long line, const std::string& why) { left_out_.add(line, why); }
 
   Result<LaserRecording> finish(const RecordingOptions& options) && {
     if (recording_.log.scans.empty()) return Problem{{name_}, "has no scan that can be read"};
-    if (bad_.count > 0)
-      warn(bad_.first_line,
-           fmt::format("{}; lines that cannot be read are left out: {}", first_failure_, bad_.count));
+    left_out_.warn(name_, recording_.warnings);
     warn(0, fmt::format("does not say how its robot counts and where its scanner sits: those of {} are taken",
                         robot_.name));
     readings_.warn(name_, recording_.warnings);
@@ -126,8 +121,7 @@ class CountedLog {
   std::optional<Counts> last_;
   Pose2 T_odom_vehicle_;
   ReadingCounts readings_;
-  Occurrences bad_;
-  std::string first_failure_;
+  LeftOutLines left_out_;
 };
 
 std::vector<double> read_rest(FieldReader& fields, std::string_view line) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "aisle/formats/images/cell_map.hpp"
 #include "session_samples.hpp"
 #include "written_file.hpp"
 

@@ -54,6 +54,16 @@ TEST(BeeLog, LinesThatCannotBeReadAreLeftOutAndSaid) {
                 "out: 3"));
 }
 
+TEST(BeeLog, AReadingThatIsNoDistanceTellsNothing) {
+  std::string text = bee_log();
+  text.replace(text.find(" 305 "), 5, " nan ");
+  const auto recording = parse_bee_log(text, "robotdata.log");
+  ASSERT_TRUE(recording.ok());
+  EXPECT_EQ(recording->log.scans.size(), 20U);
+  EXPECT_EQ(recording->log.scans[0].ranges_m[5], 0);
+  EXPECT_THAT(to_string(recording->warnings), HasSubstr("robotdata.log:1: 1 readings are NaN"));
+}
+
 TEST(BeeLog, IsToldByItsContentAndOtherTextsAreNot) {
   const SessionPlace place;
   write_file(place / "robotdata.log", bee_log());

@@ -1,6 +1,7 @@
 #pragma once
 /// Maps of CMU's course on localisation, as text; see docs/formats/bee.md.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,11 +14,10 @@ namespace aisle {
 /// Every problem has its line.
 Result<PlanReading> parse_bee_map(std::string_view text, const std::string& name);
 
+/// How many of a file's first bytes tell such a map.
+inline constexpr std::size_t kBeeMapHead = 64;
+
 /// Whether a text with these first bytes is such a map.
 bool begins_bee_map(std::string_view head);
-
-/// Reads a map of cells that somebody else has made: of map_server (YAML and image) or a Bee map, told by
-/// content.
-Result<PlanReading> read_cell_map(const std::filesystem::path& path);
 
 }  // namespace aisle
