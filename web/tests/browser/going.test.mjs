@@ -85,7 +85,7 @@ test("A queue under way is extended, and what is not reached is taken out", asyn
   await page.keyboard.up("Shift");
   watcher.received = [];
   await page.getByRole("button", { name: "Drive in order" }).click();
-  await page.getByRole("button", { name: "Remove goal 2" }).waitFor();
+  await until(() => watcher.state?.goals?.length === 2, "the mission has two goals");
   await page.keyboard.press("Escape"); // so that it reaches none before it is told
   await page.getByText("go, held").waitFor();
   await page.getByRole("button", { name: "Fit" }).first().click();
