@@ -109,6 +109,14 @@ TEST_F(Explore, AVehicleThatIsBlockedOnEveryPathOutBacktracks) {
   EXPECT_LE(figures["home_error_m"], 0.1);
 }
 
+TEST_F(Explore, PeopleWhoWalkThroughNeitherShutItInNorStayInItsMap) {
+  const ProgramRun run = run_aisle({"explore", "people-crossing", "--vehicle", "turtlebot", "--json"});
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["certificate"], true) << figures["ended_because"];
+  EXPECT_EQ(figures["collisions"], 0);
+  EXPECT_LE(figures["wall_false_share"], 0.02);
+}
+
 TEST_F(Explore, APlanIsExploredLikeTheWorldThatIsMadeOfIt) {
   const std::string plan = file("room.pbm", room_pbm(90, 40));
   ASSERT_EQ(run_aisle({"convert", plan, "--resolution", "0.1", "-o", at("room.yaml")}).exit_code, 0);

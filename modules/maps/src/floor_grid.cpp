@@ -10,9 +10,11 @@ namespace {
 constexpr int kPassed = -1;
 constexpr int kHit = 4;
 constexpr int kSurelyFree = -10;
-constexpr int kSeemsFree = 1 - kHit;
-constexpr int kSurelyOccupied = 16;
-constexpr int kGrowth = 128;  // cells added at once beyond the requested one
+constexpr int kSeemsFree = 1 - kHit;   // below: surely seen to be free
+constexpr int kStands = 2 * kHit + 1;  // hit thrice
+constexpr double kEdge_m = 0.1;        // by which hits of a wall's edge are off at most
+constexpr int kDynamicHits = 20;  // more, and it stays: somebody who walks is in a cell for a third of that
+constexpr int kGrowth = 128;      // cells added at once beyond the requested one
 
 bool is_within_reach(FloorCell cell) {
   return std::abs(cell.x) <= FloorGrid::kReach && std::abs(cell.y) <= FloorGrid::kReach;
@@ -54,13 +56,18 @@ bool FloorGrid::see_occupied(FloorCell cell) {
   return weigh(cell, kHit);
 }
 
+bool FloorGrid::see_solid(FloorCell cell) {
+  const bool was_free = evidence(cell) < kSeemsFree;
+  return was_free && !is_beside_standing(cell) ? put_dynamic(cell, kDynamicOnce) : see_occupied(cell);
+}
+
 bool FloorGrid::seem_free(FloorCell cell) {
-  return at(cell) != Floor::kOccupied && fade(cell);
+  if (at(cell) == Floor::kOccupied || evidence(cell) <= kSeemsFree) return false;
+  return weigh(cell, kPassed);
 }
 
 bool FloorGrid::fade(FloorCell cell) {
-  const bool is_free_enough = stored_.contains(cell) && evidence_[index(cell)] <= kSeemsFree;
-  return !is_free_enough && weigh(cell, kPassed);
+  return evidence(cell) >= kSeemsFree && weigh(cell, kPassed);
 }
 
 bool FloorGrid::stand_on(FloorCell cell) {
@@ -79,14 +86,52 @@ void FloorGrid::set(FloorCell cell, Floor floor) {
   put(cell, static_cast<Evidence>(evidence));
 }
 
+/// Hits of a wall's edge, off by the noise of scan or pose, are of nothing new.
+bool FloorGrid::is_beside_standing(FloorCell cell) const {
+  const int reach = static_cast<int>(std::lround(kEdge_m / cell_m_));
+  for (int y = cell.y - reach; y <= cell.y + reach; ++y) {
+    for (int x = cell.x - reach; x <= cell.x + reach; ++x) {
+      if (evidence({x, y}) >= kStands && !is_dynamic({x, y})) return true;
+    }
+  }
+  return false;
+}
+
+FloorGrid::Evidence FloorGrid::weighed(int evidence, int weight) {
+  const bool is_hit = weight > 0;
+  if (evidence > kSurelyOccupied) {
+    const int hits = evidence - kSurelyOccupied + (is_hit ? 1 : -1);
+    if (hits > kDynamicHits) return kStands;
+    return static_cast<Evidence>(hits == 0 ? kSeemsFree - 1 : kSurelyOccupied + hits);
+  }
+  const int sum = std::clamp<int>(std::max(evidence, kSurelyFree) + weight, kSurelyFree, kSurelyOccupied);
+  return static_cast<Evidence>(sum != 0 ? sum : is_hit ? 1 : -1);  // 0 means never seen
+}
+
 bool FloorGrid::weigh(FloorCell cell, int weight) {
   if (!is_within_reach(cell)) return false;
   grow_to(cell);
   if (weight < 0 && was_stood_on(cell)) return false;
-  int evidence =
-      std::clamp(std::max<int>(evidence_[index(cell)], kSurelyFree) + weight, kSurelyFree, kSurelyOccupied);
-  if (evidence == 0) evidence = weight < 0 ? -1 : 1;  // 0 means never seen
-  return put(cell, static_cast<Evidence>(evidence));
+  const Evidence weighed_now = weighed(evidence(cell), weight);
+  const bool is_hit_dynamic = weight > 0 && weighed_now > kSurelyOccupied;
+  return is_hit_dynamic ? put_dynamic(cell, weighed_now) : put(cell, weighed_now);
+}
+
+bool FloorGrid::put_dynamic(FloorCell cell, Evidence evidence) {
+  dynamic_hit_s_[cell] = now_s_;
+  return put(cell, evidence);
+}
+
+FloorBox FloorGrid::pass_time(double stamp_s) {
+  now_s_ = stamp_s;
+  FloorBox changed;
+  for (auto it = dynamic_hit_s_.begin(); it != dynamic_hit_s_.end();) {
+    const auto [cell, hit_s] = *it;
+    const bool is_forgotten = is_dynamic(cell) && hit_s < now_s_ - kForgotten_s;
+    if (is_forgotten && put(cell, kSeemsFree - 1)) changed.include(cell);
+    it = is_dynamic(cell) ? std::next(it) : dynamic_hit_s_.erase(it);
+  }
+  return changed;
 }
 
 bool FloorGrid::put(FloorCell cell, Evidence evidence) {
@@ -131,6 +176,7 @@ void FloorGrid::clear() {
   std::fill(evidence_.begin(), evidence_.end(), Evidence{0});
   std::fill(std::begin(counts_), std::end(counts_), std::size_t{0});
   known_ = {};
+  dynamic_hit_s_.clear();
 }
 
 }  // namespace aisle

@@ -21,6 +21,7 @@ constexpr double kThin_m = 0.04;          // a table's leg: beams farther apart 
 // From new places, beams this far apart miss it in three views of five. A hit weighs four misses: it stays,
 // and only what has gone away fades.
 constexpr double kOftenHit_m = 2.5 * kThin_m;
+constexpr double kSolid_m = 0.15;      // in range, from beam to beam of one thing
 constexpr double kLostAcross_m = 0.3;  // no opening is so narrow: beams in between were absorbed
 
 /// The cells that a disc or rectangle around a place may touch.
@@ -80,7 +81,16 @@ class FloorPainter {
     const FloorCell cell = floor_.cell_at(p_map);
     if (!around_.contains(cell) || hit_[place(cell)]) return;
     hit_[place(cell)] = true;
-    if (floor_.see_occupied(cell)) changed_.include(cell);
+    if (is_solid(beam) ? floor_.see_solid(cell) : floor_.see_occupied(cell)) changed_.include(cell);
+  }
+
+  /// A beam beside it hits about there, too.
+  bool is_solid(std::size_t beam) const {
+    const auto hits_there = [&](std::size_t beside) {
+      return beside < ranges_m_.size() && is_usable(beside) &&
+             std::abs(ranges_m_[beside] - ranges_m_[beam]) < kSolid_m;
+    };
+    return hits_there(beam - 1) || hits_there(beam + 1);
   }
 
   /// A cell nearer than the hits of the beams on both sides of it is free.
@@ -107,7 +117,8 @@ class FloorPainter {
   bool pass_beside(FloorCell cell, double apart_m, bool is_partly_hidden) {
     if (is_partly_hidden) return floor_.seem_free(cell);
     if (apart_m <= kThin_m) return floor_.see_free(cell);
-    const bool would_be_hit = viewpoint_ == Viewpoint::kMoved && apart_m <= kOftenHit_m;
+    const bool is_new_look = viewpoint_ == Viewpoint::kMoved || floor_.is_dynamic(cell);
+    const bool would_be_hit = is_new_look && apart_m <= kOftenHit_m;
     return would_be_hit ? floor_.fade(cell) : floor_.seem_free(cell);
   }
 

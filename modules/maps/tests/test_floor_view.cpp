@@ -91,6 +91,18 @@ TEST(FloorView, FromNewPlacesAPoleStaysAndAPersonWhoLeftFades) {
   EXPECT_LT(share_occupied(0.15, true), 0.4);
 }
 
+/// Glass and thin things send back single beams.
+TEST(FloorView, WhoComesIsADynamicObstacleIfBeamsSideBySideHitHim) {
+  for (const std::size_t beams : {std::size_t{1}, std::size_t{5}}) {
+    FloorGrid floor;
+    for (int i = 0; i < 20; ++i) see_floor(floor, kScanner, wall_ahead(5.52), {}, {}, {});
+    std::vector<float> ranges_m = wall_ahead(5.52);
+    for (std::size_t beam = 90; beam < 90 + beams; ++beam) ranges_m[beam] = 2.02F;
+    see_floor(floor, kScanner, ranges_m, {}, {}, {});
+    EXPECT_EQ(floor.is_dynamic(floor.cell_at({2.02, 0})), beams > 1);
+  }
+}
+
 /// A door's jamb: the end of the wall in front hides the far side of the cell in which its face was hit.
 TEST(FloorView, PassingOneSideOfACellDoesNotClearTheOther) {
   const LaserScanner fine{-10 * kDegree, 0.1 * kDegree, 30, {}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "aisle/vehicle/odometry_step.hpp"
@@ -128,8 +129,10 @@ bool FloorLearner::hits_something_new() const {
 }
 
 FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const {
-  FloorBox changed = see_floor(floor, sensor_->scanner(), log_.scans[look.scan_index].ranges_m, look.near_m,
-                               T_map_vehicle, params_.view, look.viewpoint);
+  const LaserScan& scan = log_.scans[look.scan_index];
+  FloorBox changed = floor.pass_time(scan.stamp_s);
+  changed.include_box(see_floor(floor, sensor_->scanner(), scan.ranges_m, look.near_m, T_map_vehicle,
+                                params_.view, look.viewpoint));
   const FloorBox stood =
       stand_on_floor(floor, look.scan_index == 0 ? initial_free_area() : vehicle_.footprint, T_map_vehicle);
   changed.include_box(stood);
@@ -158,6 +161,7 @@ FloorGrid FloorLearner::floor_from(std::span<const Pose2> T_map_vehicle) const {
   for (const Look& look : looks_) put(look, T_map_vehicle[look.scan_index], floor);
   for (const Contact& contact : contacts_)
     put(contact, T_map_vehicle[contact.scan_index] * contact.T_scan_vehicle, floor);
+  floor.pass_time(std::numeric_limits<double>::infinity());
   return floor;
 }
 

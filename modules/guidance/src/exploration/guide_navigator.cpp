@@ -136,9 +136,10 @@ void GuideNavigator::look_at_floor(double stamp_s) {
   looked_s_ = stamp_s;
   T_map_looked_ = T_map_vehicle_;
   const Viewpoint viewpoint = moved ? Viewpoint::kMoved : Viewpoint::kSame;
-  floor_.change([this, viewpoint](FloorGrid& grid) {
-    FloorBox changed = see_floor(grid, sensor_->scanner(), view_.ranges_m, view_.near_m, T_map_vehicle_,
-                                 params_.view, viewpoint);
+  floor_.change([this, viewpoint, stamp_s](FloorGrid& grid) {
+    FloorBox changed = grid.pass_time(stamp_s);
+    changed.include_box(see_floor(grid, sensor_->scanner(), view_.ranges_m, view_.near_m, T_map_vehicle_,
+                                  params_.view, viewpoint));
     changed.include_box(stand_on_floor(grid, vehicle_.footprint, T_map_vehicle_));
     return changed;
   });

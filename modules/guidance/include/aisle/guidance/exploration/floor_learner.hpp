@@ -68,7 +68,7 @@ class FloorLearner {
   const LaserLog& log() const { return log_; }
   /// One pose per scan, by what is known now.
   std::vector<Pose2> T_map_vehicle_of_all() const { return mapping_.T_map_vehicle_of_all(); }
-  /// The floor built with these poses instead, one per scan.
+  /// The floor built with these poses instead, one per scan, without dynamic obstacles.
   FloorGrid floor_from(std::span<const Pose2> T_map_vehicle) const;
 
  private:
