@@ -73,7 +73,17 @@ def drive(program, method, world, seed, names):
         faults.write_text(scenario(names))
         command = [program, "trial", method, "--world", world, "--seeds", seed, "--jobs", "1", "--json"]
         done = subprocess.run([*command, "--faults", faults], capture_output=True, text=True, check=False)
-        return json.loads(done.stdout)["figures"]
+        answer = json.loads(done.stdout) if done.stdout else {}
+        if "figures" not in answer:
+            sys.exit(f"{sys.argv[0]}: no mission under {' and '.join(names)}: {done.stderr.strip()}")
+        return answer["figures"]
+
+
+def outcome(run):
+    """How a mission ended, in the words of its method."""
+    ended = run.get("ended_because") or run["state"]
+    why = f" ({run['why']})" if run.get("why") else ""
+    return f"{ended}{why}, {run['distance_m']:.1f} m" + (", TOUCHED" if run["collisions"] else "")
 
 
 def main():
@@ -84,13 +94,9 @@ def main():
     with ThreadPoolExecutor(cpu_count()) as pool:
         results = pool.map(lambda names: drive(program, method, world, seed, names), cases)
         for names, figures in zip(cases, results):
-            if not figures["runs"]:
-                print(f"{' and '.join(names)}: no mission was driven", flush=True)
-            for run in figures["runs"]:
-                says = run["state"] + (f" ({run['why']})" if run["why"] else "")
-                sure = ", SURE OF A WRONG PLACE" if figures.get("wrong_confident") else ""
-                touched = ", TOUCHED" if run["collisions"] else ""
-                print(f"{' and '.join(names)}: {says}, {run['distance_m']:.1f} m{touched}{sure}", flush=True)
+            sure = ", SURE OF A WRONG PLACE" if figures.get("wrong_confident") else ""
+            endings = [outcome(run) + sure for run in figures["runs"]] or ["no mission was driven"]
+            print(f"{' and '.join(names)}: {'; '.join(endings)}", flush=True)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace aisle {
@@ -10,9 +11,10 @@ namespace {
 constexpr int kPassed = -1;
 constexpr int kHit = 4;
 constexpr int kSurelyFree = -10;
-constexpr int kSeemsFree = 1 - kHit;   // below: surely seen to be free
-constexpr int kStands = 2 * kHit + 1;  // hit thrice
-constexpr double kEdge_m = 0.1;        // by which hits of a wall's edge are off at most
+constexpr int kSeemsFree = 1 - kHit;
+constexpr int kSeenFree = kSeemsFree - 1;  // or below: surely seen to be free
+constexpr int kStands = 2 * kHit + 1;      // hit thrice
+constexpr double kEdge_m = 0.1;            // by which hits of a wall's edge are off at most
 constexpr int kDynamicHits = 20;  // more, and it stays: somebody who walks is in a cell for a third of that
 constexpr int kGrowth = 128;      // cells added at once beyond the requested one
 
@@ -57,7 +59,7 @@ bool FloorGrid::see_occupied(FloorCell cell) {
 }
 
 bool FloorGrid::see_solid(FloorCell cell) {
-  const bool was_free = evidence(cell) < kSeemsFree;
+  const bool was_free = evidence(cell) <= kSeenFree;
   return was_free && !is_beside_standing(cell) ? put_dynamic(cell, kDynamicOnce) : see_occupied(cell);
 }
 
@@ -91,7 +93,8 @@ bool FloorGrid::is_beside_standing(FloorCell cell) const {
   const int reach = static_cast<int>(std::lround(kEdge_m / cell_m_));
   for (int y = cell.y - reach; y <= cell.y + reach; ++y) {
     for (int x = cell.x - reach; x <= cell.x + reach; ++x) {
-      if (evidence({x, y}) >= kStands && !is_dynamic({x, y})) return true;
+      const Evidence there = evidence({x, y});
+      if (there >= kStands && there <= kSurelyOccupied) return true;
     }
   }
   return false;
@@ -102,7 +105,7 @@ FloorGrid::Evidence FloorGrid::weighed(int evidence, int weight) {
   if (evidence > kSurelyOccupied) {
     const int hits = evidence - kSurelyOccupied + (is_hit ? 1 : -1);
     if (hits > kDynamicHits) return kStands;
-    return static_cast<Evidence>(hits == 0 ? kSeemsFree - 1 : kSurelyOccupied + hits);
+    return static_cast<Evidence>(hits == 0 ? kSeenFree : kSurelyOccupied + hits);
   }
   const int sum = std::clamp<int>(std::max(evidence, kSurelyFree) + weight, kSurelyFree, kSurelyOccupied);
   return static_cast<Evidence>(sum != 0 ? sum : is_hit ? 1 : -1);  // 0 means never seen
@@ -124,11 +127,19 @@ bool FloorGrid::put_dynamic(FloorCell cell, Evidence evidence) {
 
 FloorBox FloorGrid::pass_time(double stamp_s) {
   now_s_ = stamp_s;
+  return forget_dynamic_before(now_s_ - kForgotten_s);
+}
+
+FloorBox FloorGrid::forget_dynamic() {
+  return forget_dynamic_before(std::numeric_limits<double>::infinity());
+}
+
+FloorBox FloorGrid::forget_dynamic_before(double forgotten_s) {
   FloorBox changed;
   for (auto it = dynamic_hit_s_.begin(); it != dynamic_hit_s_.end();) {
     const auto [cell, hit_s] = *it;
-    const bool is_forgotten = is_dynamic(cell) && hit_s < now_s_ - kForgotten_s;
-    if (is_forgotten && put(cell, kSeemsFree - 1)) changed.include(cell);
+    const bool is_forgotten = is_dynamic(cell) && hit_s < forgotten_s;
+    if (is_forgotten && put(cell, kSeenFree)) changed.include(cell);
     it = is_dynamic(cell) ? std::next(it) : dynamic_hit_s_.erase(it);
   }
   return changed;

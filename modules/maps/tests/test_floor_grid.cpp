@@ -233,8 +233,13 @@ RC_GTEST_PROP(FloorGrid, CountsItsCellsWhateverComesAndGoes, (std::uint64_t seed
     for (int x = 0; x < 16; ++x) occupied += floor.at(FloorCell{x, 0}) == Floor::kOccupied ? 1 : 0;
     RC_ASSERT(floor.count(Floor::kOccupied) == occupied);
   }
-  floor.pass_time(1e9);
-  for (int x = 0; x < 16; ++x) RC_ASSERT(!floor.is_dynamic({x, 0}));
+  FloorGrid later = floor;
+  later.pass_time(now_s + 1.1 * FloorGrid::kForgotten_s);
+  floor.forget_dynamic();
+  for (int x = 0; x < 16; ++x) {
+    RC_ASSERT(!floor.is_dynamic({x, 0}));
+    RC_ASSERT(later.at(FloorCell{x, 0}) == floor.at(FloorCell{x, 0}));
+  }
 }
 
 TEST(FloorGrid, DoesNotClearOccupiedCellsUnderTheVehicle) {

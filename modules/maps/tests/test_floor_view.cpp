@@ -92,7 +92,7 @@ TEST(FloorView, FromNewPlacesAPoleStaysAndAPersonWhoLeftFades) {
 }
 
 /// Glass and thin things send back single beams.
-TEST(FloorView, WhoComesIsADynamicObstacleIfBeamsSideBySideHitHim) {
+TEST(FloorView, WhatNeighbouringBeamsHitOnFreeFloorIsDynamic) {
   for (const std::size_t beams : {std::size_t{1}, std::size_t{5}}) {
     FloorGrid floor;
     for (int i = 0; i < 20; ++i) see_floor(floor, kScanner, wall_ahead(5.52), {}, {}, {});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "aisle/vehicle/odometry_step.hpp"
@@ -161,7 +160,7 @@ FloorGrid FloorLearner::floor_from(std::span<const Pose2> T_map_vehicle) const {
   for (const Look& look : looks_) put(look, T_map_vehicle[look.scan_index], floor);
   for (const Contact& contact : contacts_)
     put(contact, T_map_vehicle[contact.scan_index] * contact.T_scan_vehicle, floor);
-  floor.pass_time(std::numeric_limits<double>::infinity());
+  floor.forget_dynamic();
   return floor;
 }
 

@@ -1,7 +1,6 @@
 #include "aisle/learning/walls/floor_of_log.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "aisle/core/angle.hpp"
@@ -30,7 +29,7 @@ FloorGrid floor_of_log(const LaserLog& log, std::span<const Pose2> T_map_vehicle
     floor.pass_time(scan.time_s);
     see_floor(floor, log.laser_of(scan), scan.ranges_m, {}, T, {.reach_m = kLookReach_m}, Viewpoint::kMoved);
   }
-  floor.pass_time(std::numeric_limits<double>::infinity());
+  floor.forget_dynamic();
   return floor;
 }
 

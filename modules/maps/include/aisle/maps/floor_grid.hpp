@@ -47,7 +47,7 @@ struct FloorBox {
 /// away fades.
 ///
 /// What is solid where the floor was surely seen to be free is a dynamic obstacle, such as a person: its
-/// second hit makes the cell occupied, a view that passes outweighs a hit, and what is not hit for
+/// second hit makes the cell occupied, each view that passes undoes one hit, and what is not hit for
 /// `kForgotten_s` is forgotten. What was hit often has come to stay.
 class FloorGrid {
  public:
@@ -87,6 +87,9 @@ class FloorGrid {
   /// `kForgotten_s` are forgotten.
   /// @return a box around all cells whose state has changed
   FloorBox pass_time(double stamp_s);
+  /// All dynamic obstacles are forgotten.
+  /// @return as `pass_time`
+  FloorBox forget_dynamic();
   /// Whether a dynamic obstacle was hit there.
   bool is_dynamic(FloorCell cell) const { return evidence(cell) > kSurelyOccupied; }
   /// The vehicle is on the cell: nothing is there, at any height. Kept until something is hit in it; an
@@ -131,6 +134,7 @@ class FloorGrid {
   bool is_beside_standing(FloorCell cell) const;
   bool weigh(FloorCell cell, int weight);
   bool put_dynamic(FloorCell cell, Evidence evidence);
+  FloorBox forget_dynamic_before(double hit_s);
   bool put(FloorCell cell, Evidence evidence);
   void grow_to(FloorCell cell);
 
