@@ -107,6 +107,23 @@ TEST_F(Rooms, BetweenCloseTurningsTheVehicleBacksAndDrivesTheSecond) {
   }
 }
 
+TEST_F(Rooms, WheelsAndSteeringThatMisreportAreFoundByTheImages) {
+  const std::string faults = file("faults.yaml", R"(format: aisle.scenario
+version: 1
+name: twice and crooked
+events:
+  - {from_s: 8, slip: {spin: 1}}
+  - {from_s: 12, steering: {bias_deg: 3}}
+)");
+  const auto trial = run_for_figures({"trial", "rooms", "--seeds", "402..403", "--faults", faults});
+  EXPECT_EQ(trial["arrived_share"], 1.0);
+  EXPECT_EQ(trial["collisions"], 0);
+  for (const auto& run : trial["runs"]) {
+    EXPECT_NEAR(run["odometry_error"]["distance_factor"], 0.5, 0.05) << run;
+    EXPECT_NEAR(run["odometry_error"]["steering_bias_deg"], 3, 1) << run;
+  }
+}
+
 TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
   const std::string world = file("room.yaml", kRoom);
   const std::string building = file("building.json", R"({"format": "aisle.building", "version": 1, "routes": [

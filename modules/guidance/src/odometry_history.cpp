@@ -6,10 +6,24 @@
 
 namespace aisle {
 
+Pose2 OdometryHistory::step(const OdometryReading& reading) const {
+  const auto* motion = std::get_if<FrontSteeredMotion>(&reading);
+  return odometry_step(vehicle_, motion == nullptr ? reading : error_.corrected(*motion));
+}
+
+void OdometryHistory::correct(const OdometryError& error, double from_s) {
+  error_ = error;
+  const std::size_t known = std::min(moves_, kCycles);
+  for (std::size_t later = known; later-- > 1;) {
+    StampedPose& pose = poses_[(moves_ - later) % kCycles];
+    if (pose.stamp_s > from_s) pose.T_odom_vehicle = ago(later).T_odom_vehicle * step(pose.reading);
+  }
+}
+
 void OdometryHistory::move(const Observation& observation) {
   const Pose2 T_odom_before = T_odom_vehicle();
-  poses_[moves_++ % kCycles] = {observation.stamp_s,
-                                T_odom_before * odometry_step(vehicle_, observation.odometry)};
+  poses_[moves_++ % kCycles] = {observation.stamp_s, T_odom_before * step(observation.odometry),
+                                observation.odometry};
 }
 
 Pose2 OdometryHistory::T_odom_at(double stamp_s) const {

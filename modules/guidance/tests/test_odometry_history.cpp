@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace aisle {
 namespace {
 
@@ -37,6 +39,24 @@ TEST(OdometryHistory, RemembersTheLastCyclesHoweverManyThereWere) {
   EXPECT_NEAR(history.T_odom_at(98.0).x, history.T_odom_vehicle().x - 0.02 * (20 * 981 + 190), 1e-6);
   EXPECT_EQ(history.cycles_since(98.0), 20);
   EXPECT_EQ(history.cycles_since(10), 63) << "as far back as it remembers";
+}
+
+/// As if the wheels had reported rightly since then.
+TEST(OdometryHistory, CorrectsWhatItRemembersSinceATime) {
+  const OdometryError error{.distance_factor = 1.5, .steering_bias_rad = 0.1};
+  OdometryHistory corrected({}), right({});
+  for (int i = 1; i <= 100; ++i) {
+    const FrontSteeredMotion reported{0.02, 0.3 * std::sin(i / 10.0)};
+    const bool is_wrong = i > 70;
+    if (i == 91) corrected.correct(error, kHistoryCycle_s * 70);
+    corrected.move({.stamp_s = kHistoryCycle_s * i, .odometry = reported});
+    right.move({.stamp_s = kHistoryCycle_s * i, .odometry = is_wrong ? error.corrected(reported) : reported});
+  }
+  for (const double stamp_s : {6.0, 7.0, 7.55, 9.0, 10.0}) {
+    const Pose2 off = between(right.T_odom_at(stamp_s), corrected.T_odom_at(stamp_s));
+    EXPECT_NEAR(off.position().norm(), 0, 1e-9) << stamp_s;
+    EXPECT_NEAR(off.theta, 0, 1e-9) << stamp_s;
+  }
 }
 
 }  // namespace

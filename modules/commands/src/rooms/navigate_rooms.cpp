@@ -51,6 +51,13 @@ Result<RouteInWorld> route_in_world(const std::filesystem::path& building, const
   return RouteInWorld(MapTruth({route.path.at(0).T_map_path}, {*start}), route);
 }
 
+std::string misreported(const OdometryError& error) {
+  return fmt::format(
+      "by the images the vehicle drove {:.2f} times the path that its wheels counted, and its front wheels "
+      "pointed {:.1f} degrees farther left than reported; it was driven by the images: check its odometry",
+      error.distance_factor, to_degrees(error.steering_bias_rad));
+}
+
 Outcome room_outcome(const std::string& verb, const RoomDrive& drive, const Route& route,
                      const JudgedRoomMission& judged) {
   const RoomMissionResult& result = judged.mission;
@@ -120,6 +127,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   auto mission =
       drive_room_mission(driven.vehicle(), driven.truth(), **navigator, *session, console.progress);
   if (!mission) return mission.problems();
+  if (mission->odometry_error) console.warn(misreported(*mission->odometry_error));
   if (const Problems problems = close_session(*session); !problems.empty()) return problems;
   const JudgedRoomMission result = *place ? judged(std::move(*mission), (*place)->world,
                                                    driven.description().footprint, (*place)->T_world_due)

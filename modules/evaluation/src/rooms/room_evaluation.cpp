@@ -21,6 +21,13 @@ double clearance_ahead_m(const World& world, const Footprint& footprint, const P
   return kFar_m;
 }
 
+/// null: none.
+nlohmann::ordered_json odometry_figures(const std::optional<OdometryError>& error) {
+  if (!error) return {};
+  return {{"distance_factor", rounded(error->distance_factor, 3)},
+          {"steering_bias_deg", rounded(to_degrees(error->steering_bias_rad), 2)}};
+}
+
 }  // namespace
 
 Pose2 due_end(const World& world, const Footprint& footprint, ParkingStrategy parking,
@@ -69,7 +76,8 @@ nlohmann::ordered_json figures_of(const JudgedRoomMission& judged) {
        {"distance_m", rounded(mission.distance_m(), 3)},
        {"duration_s", rounded(mission.end.duration_s, 3)},
        {"cycle_ms", cycle_figures(mission.cycle_s)},
-       {"corner_seen", if_known(mission.has_seen_corner)}});
+       {"corner_seen", if_known(mission.has_seen_corner)},
+       {"odometry_error", odometry_figures(mission.odometry_error)}});
 }
 
 }  // namespace aisle

@@ -118,6 +118,15 @@ void EdgeMemory::keep_look(const RouteSight& sight, const Pose2& T_odom_vehicle,
   look.sight = sight;
 }
 
+void EdgeMemory::correct(const OdometryHistory& before, const OdometryHistory& now) {
+  const auto now_before = [&](double stamp_s) {
+    return now.T_odom_at(stamp_s) * before.T_odom_at(stamp_s).inverse();
+  };
+  for (Edge& edge : edges_) edge.p_odom = now_before(edge.first_s) * edge.p_odom;
+  for (Edge& edge : gone_) edge.p_odom = now_before(edge.first_s) * edge.p_odom;
+  for (Look& look : looks_) look.T_odom_vehicle = now_before(look.stamp_s) * look.T_odom_vehicle;
+}
+
 void EdgeMemory::clear(const Pose2& T_odom_middle, const Vec2& size) {
   const Pose2 T_middle_odom = T_odom_middle.inverse();
   std::erase_if(edges_, [&](const Edge& edge) {

@@ -122,6 +122,10 @@ void EdgePlace::take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle
   ++fits_;
 }
 
+void EdgePlace::correct(const Pose2& T_odom_before, const Pose2& T_odom_now) {
+  if (is_sure()) T_map_odom_ = T_map_odom_ * T_odom_before * T_odom_now.inverse();
+}
+
 double EdgePlace::variance_m2(const SeenEdge& seen) const {
   return square(params_.deviation_m * std::max(1.0, square(seen.seen_from_m / params_.far_m)));
 }

@@ -95,6 +95,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       vehicle_(vehicle),
       route_(room_route(std::move(route))),
       view_(first_view(params, vehicle)),
+      calibration_(vehicle.front_steered),
       odometry_(vehicle, route_.path.at(from_m).T_map_path),
       monitor_(params.images, room_camera(vehicle, kFirstCamera)),
       edges_(kReach_m),
@@ -116,17 +117,23 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
 }
 
 Decision RoomNavigator::step(const Observation& observation) {
-  return rules_.obey(decide(observation), pose());
+  Decision decision = rules_.obey(decide(observation), pose());
+  decision.command.steering_rad -= calibration_.error().steering_bias_rad;
+  commanded_mps_ = decision.command.speed_mps;
+  return decision;
 }
 
 Decision RoomNavigator::decide(const Observation& observation) {
   odometry_.move(observation);
-  steering_rad_ = steering_rad_of(observation.odometry);
+  const auto& reported = std::get<FrontSteeredMotion>(observation.odometry);
+  calibration_.move(observation.stamp_s, reported, commanded_mps_ * vehicle_.cycle_s);
+  steering_rad_ = calibration_.error().corrected(reported).steering_rad;
   remember_driven();
   if (state_ != State::kBackingOff) progress_.advance(pose());
   look(observation);
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
+  if (!calibration_.is_plausible()) return slipping();
   if (const auto trouble = monitor_.trouble(observation.stamp_s); trouble || !sight()) {
     if (!blind_s_) blind_s_ = observation.stamp_s;
     const bool is_lasting = observation.stamp_s - *blind_s_ > params_.blind_max_s;
@@ -156,11 +163,24 @@ void RoomNavigator::look(const Observation& observation) {
   is_brightness_off_ = !is_route_bright_as_learned();
   dead_end_images_ = is_at_dead_end() ? dead_end_images_ + 1 : 0;
   if (is_brightness_off_) return;
+  // Near the end taught edges tell the pose, and table tops and painted lines are among what is seen.
+  if (!place_.is_sure()) calibrate(image->stamp_s);
   T_odom_seen_ = odometry_.T_odom_at(image->stamp_s);
   // Beyond L96: the learned brightness follows slow changes of light.
   brightness_.grey += params_.brightness_gain * (sight.patch_grey - brightness_.grey);
   edges_.take(view_, sight, T_odom_seen_, image->stamp_s);
   find_place();
+}
+
+/// What is remembered of the last metre moves along with its odometry.
+void RoomNavigator::calibrate(double stamp_s) {
+  const OdometryError error = calibration_.error();
+  calibration_.look(stamp_s, sight()->p_vehicle_edges);
+  if (calibration_.error() == error) return;
+  const OdometryHistory before = odometry_;
+  odometry_.correct(calibration_.error(), calibration_.error_from_s());
+  edges_.correct(before, odometry_);
+  place_.correct(before.T_odom_vehicle(), odometry_.T_odom_vehicle());
 }
 
 bool RoomNavigator::is_route_bright_as_learned() const {
@@ -264,6 +284,17 @@ Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
   return {.command = {.speed_mps = std::min(speed_mps, stoppable_mps), .steering_rad = choice.steering_rad},
           .state = state,
           .why = fmt::format("{:.1f} m to go, {:.2f} m free", std::max(0.0, left_m()), choice.free_m)};
+}
+
+std::optional<OdometryError> RoomNavigator::odometry_error() const {
+  return calibration_.has_error() ? std::optional(calibration_.error()) : std::nullopt;
+}
+
+Decision RoomNavigator::slipping() const {
+  return {.status = NavigatorStatus::kFailed,
+          .state = "slipping",
+          .why = fmt::format("the wheels count {:.1f} times the path that the images show",
+                             1 / calibration_.error().distance_factor)};
 }
 
 std::string RoomNavigator::why_blocked() const {

@@ -44,6 +44,26 @@ TEST(EdgeMemory, APointSeenFromNearerReplacesOneSeenFromFar) {
   EXPECT_EQ(memory.seen_around({}).size(), 2U) << "a point seen from farther away replaces nothing";
 }
 
+/// The wheels have counted half the path since the second edge was seen.
+TEST(EdgeMemory, WhatWasSeenWhileTheOdometryWasOffIsMoved) {
+  OdometryHistory odometry({});
+  EdgeMemory memory(6);
+  const auto drive_on = [&](double stamp_s) {
+    odometry.move({.stamp_s = stamp_s, .odometry = FrontSteeredMotion{1, 0}});
+  };
+  drive_on(1);
+  memory.take(eye(), sight_of({{3, 1}}), odometry.T_odom_vehicle(), 1);
+  drive_on(2);
+  memory.take(eye(), sight_of({{3, -1}}), odometry.T_odom_vehicle(), 2);
+  const OdometryHistory before = odometry;
+  odometry.correct({.distance_factor = 2}, 1);
+  memory.correct(before, odometry);
+  const auto seen = memory.seen_around(odometry.T_odom_vehicle());
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_NEAR(seen[0].p_vehicle.x(), 1, 1e-9) << "seen 2 m ago";
+  EXPECT_NEAR(seen[1].p_vehicle.x(), 3, 1e-9) << "seen just now";
+}
+
 TEST(EdgeMemory, AnObstacleCutOffByTheViewHasNoFloorPoint) {
   EdgeMemory memory(4);
   memory.take(eye(), sight_of({{3, 0.4}}, {{1.5, 0.4}}), {}, 0);

@@ -47,6 +47,7 @@ Result<RoomMissionResult> drive_room_mission(Vehicle& vehicle, const TruthSource
   }
   result.tries = navigator.parking_tries();
   result.has_seen_corner = navigator.has_seen_corner();
+  result.odometry_error = navigator.odometry_error();
   result.is_confirmed = result.end.arrived && navigator.has_confirmed_place();
   return result;
 }

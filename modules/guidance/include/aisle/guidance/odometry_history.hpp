@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/odometry_error.hpp"
 #include "aisle/vehicle/observation.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
@@ -21,6 +22,10 @@ class OdometryHistory {
   /// Once a cycle.
   void move(const Observation& observation);
 
+  /// From now on, and for what is remembered after a time, the wheels misreport a front-steered vehicle's
+  /// motion so.
+  void correct(const OdometryError& error, double from_s);
+
   const Pose2& T_odom_vehicle() const { return latest().T_odom_vehicle; }
   double stamp_s() const { return latest().stamp_s; }
 
@@ -34,16 +39,19 @@ class OdometryHistory {
   struct StampedPose {
     double stamp_s = 0;
     Pose2 T_odom_vehicle;
+    OdometryReading reading;
   };
   static constexpr std::size_t kCycles = 64;  ///< more than images may be late
 
   const StampedPose& latest() const { return ago(0); }
+  Pose2 step(const OdometryReading& reading) const;
   /// @param cycles  fewer than are remembered
   const StampedPose& ago(std::size_t cycles) const {
     return poses_[(moves_ + kCycles - 1 - cycles) % kCycles];
   }
 
   VehicleDescription vehicle_;
+  OdometryError error_;
   std::array<StampedPose, kCycles> poses_;
   std::size_t moves_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/odometry_history.hpp"
 #include "aisle/vision/route/route_view.hpp"
 
 namespace aisle {
@@ -23,6 +24,8 @@ class EdgeMemory {
 
   /// Takes in an image: adds its edges, and removes those where it shows free route.
   void take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle, double stamp_s);
+  /// The odometry of the last cycles has been corrected: what was seen in them was elsewhere.
+  void correct(const OdometryHistory& before, const OdometryHistory& now);
   /// Forgets all edges in a rectangle, where they are known to be no obstacles.
   /// @param size  along x and y [m]
   void clear(const Pose2& T_odom_middle, const Vec2& size);

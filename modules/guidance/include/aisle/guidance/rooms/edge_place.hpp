@@ -46,6 +46,9 @@ class EdgePlace {
   /// @param along_m  about where on the route the vehicle is
   void take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle, double along_m);
 
+  /// The odometry has been corrected. Where edges have told the pose, it stays.
+  void correct(const Pose2& T_odom_before, const Pose2& T_odom_now);
+
   const Pose2& T_map_odom() const { return T_map_odom_; }
   /// Whether the edges have been found to fit.
   bool is_sure() const { return fits_ > 0; }

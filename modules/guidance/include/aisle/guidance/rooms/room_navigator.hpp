@@ -16,6 +16,7 @@
 #include "aisle/guidance/rooms/frame_backing.hpp"
 #include "aisle/guidance/rooms/frame_parking.hpp"
 #include "aisle/guidance/rooms/free_steering.hpp"
+#include "aisle/guidance/rooms/odometry_calibration.hpp"
 #include "aisle/guidance/rooms/place_parking.hpp"
 #include "aisle/guidance/rooms/stop_view_matcher.hpp"
 #include "aisle/maps/route.hpp"
@@ -93,6 +94,8 @@ class RoomNavigator final : public Navigator {
   /// Whether it saw the corner of the route when it last reversed between turnings; nullopt: it did not
   /// reverse by a corner.
   std::optional<bool> has_seen_corner() const;
+  /// What the wheels misreport, if it is sure of that.
+  std::optional<OdometryError> odometry_error() const;
   /// Number of attempts to park.
   int parking_tries() const;
 
@@ -111,6 +114,7 @@ class RoomNavigator final : public Navigator {
   const Pose2& T_odom_vehicle() const { return odometry_.T_odom_vehicle(); }
   Decision decide(const Observation& observation);
   void look(const Observation& observation);
+  void calibrate(double stamp_s);
   bool is_route_bright_as_learned() const;
   bool knows_path_ahead() const;
   void find_place();
@@ -125,6 +129,7 @@ class RoomNavigator final : public Navigator {
   Decision unless_obstructed(Decision decision, double now_s);
   Decision back_off(double now_s);
   Decision leave_place();
+  Decision slipping() const;
   Decision blocked(double now_s);
   std::string why_blocked() const;
   bool is_on_path_back() const;
@@ -156,6 +161,7 @@ class RoomNavigator final : public Navigator {
   VehicleDescription vehicle_;
   Route route_;
   RouteView view_;
+  OdometryCalibration calibration_;
   OdometryHistory odometry_;
   ImageMonitor monitor_;
   EdgeMemory edges_;
@@ -178,6 +184,7 @@ class RoomNavigator final : public Navigator {
   PlaceParking taught_place_;
   double pattern_share_;  ///< share of the taught path where the floor's pattern looked like obstacles
   double steering_rad_ = 0;
+  double commanded_mps_ = 0;          ///< in the last cycle
   std::vector<Pose2> T_odom_driven_;  ///< poses of this run, near the vehicle
   std::vector<Vec2> p_map_limit_;     ///< limit of the known floor, for reversing
   SteeringChoice path_back_;
