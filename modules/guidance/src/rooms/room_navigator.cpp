@@ -160,7 +160,7 @@ void RoomNavigator::look(const Observation& observation) {
   if (image == nullptr) return;
   const RouteSight& sight = view_.look(*image->pixels);
   stop_views_.take(*image->pixels, left_to_end_m());
-  is_brightness_off_ = !is_route_bright_as_learned();
+  is_brightness_off_ = std::abs(relative_brightness() - 1) > params_.brightness_tolerance;
   dead_end_images_ = is_at_dead_end() ? dead_end_images_ + 1 : 0;
   if (is_brightness_off_) return;
   // Near the end taught edges tell the pose, and table tops and painted lines are among what is seen.
@@ -183,9 +183,9 @@ void RoomNavigator::calibrate(double stamp_s) {
   place_.correct(before.T_odom_vehicle(), odometry_.T_odom_vehicle());
 }
 
-bool RoomNavigator::is_route_bright_as_learned() const {
-  const double change = sight()->patch_grey / std::max(1.0, brightness_.grey) - 1;
-  return std::abs(change) <= params_.brightness_tolerance;
+/// Of the route before the vehicle, as a multiple of what was learned.
+double RoomNavigator::relative_brightness() const {
+  return sight()->patch_grey / std::max(1.0, brightness_.grey);
 }
 
 /// A known obstacle ahead may hide the route, as in a narrow turning. That says nothing about the light, and
@@ -297,7 +297,13 @@ Decision RoomNavigator::slipping() const {
                              1 / calibration_.error().distance_factor)};
 }
 
+std::string RoomNavigator::why_waiting() const {
+  if (knows_path_ahead()) return "something is in the path";
+  return fmt::format("the floor ahead is {:.1f} times as bright as it was taught", relative_brightness());
+}
+
 std::string RoomNavigator::why_blocked() const {
+  if (!knows_path_ahead()) return why_waiting();
   return pattern_share_ > params_.pattern_share_max
              ? fmt::format(
                    "cannot tell the floor's pattern from what stands on it, as on {:.0f} % of the "
@@ -309,7 +315,7 @@ std::string RoomNavigator::why_blocked() const {
 /// Waits, as a person in the path may leave; then backs off to pass the obstacle on another path.
 Decision RoomNavigator::blocked(double now_s) {
   if (!stopped_s_) stopped_s_ = now_s;
-  if (now_s - *stopped_s_ < params_.wait_s) return {.state = "waiting", .why = "something is in the path"};
+  if (now_s - *stopped_s_ < params_.wait_s) return {.state = "waiting", .why = why_waiting()};
   const double along_m = progress_.point().along_m;
   if (along_m > back_offs_at_m_ + 2 * params_.back_off_m) back_offs_ = 0;
   back_offs_at_m_ = along_m;

@@ -144,9 +144,13 @@ TEST(RoomNavigator, DrivesFromMemoryWhereAKnownObstacleHidesTheRoute) {
 TEST(RoomNavigator, WaitsIfTheLightChangesWithoutAKnownObstacle) {
   DrivenRoom room(20);
   for (int i = 0; i < 20; ++i) EXPECT_GT(room.step().command.speed_mps, 0);
-  const Decision decision = room.step(0.5);
+  Decision decision = room.step(0.5);
   EXPECT_EQ(decision.state, "waiting");
+  EXPECT_EQ(decision.why, "the floor ahead is 0.5 times as bright as it was taught");
   EXPECT_EQ(decision.command.speed_mps, 0);
+  for (int i = 0; i < 1000 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step(0.5);
+  EXPECT_EQ(decision.state, "blocked");
+  EXPECT_THAT(decision.why, HasSubstr("bright"));
 }
 
 TEST(RoomNavigator, SaysThatNothingHasConfirmedItsPlace) {

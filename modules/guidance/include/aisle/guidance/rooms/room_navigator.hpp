@@ -115,7 +115,7 @@ class RoomNavigator final : public Navigator {
   Decision decide(const Observation& observation);
   void look(const Observation& observation);
   void calibrate(double stamp_s);
-  bool is_route_bright_as_learned() const;
+  double relative_brightness() const;
   bool knows_path_ahead() const;
   void find_place();
   Decision follow(double now_s);
@@ -131,6 +131,7 @@ class RoomNavigator final : public Navigator {
   Decision leave_place();
   Decision slipping() const;
   Decision blocked(double now_s);
+  std::string why_waiting() const;
   std::string why_blocked() const;
   bool is_on_path_back() const;
   bool has_path_back_next() const;
