@@ -56,6 +56,7 @@ class OdometryCalibration {
     Mat2 information = Mat2::Zero();
   };
 
+  static Estimate fused(const Estimate& one, const Estimate& other);
   static bool surely_differ(const Estimate& one, const Estimate& other);
   double path_from_key_m(double stamp_s) const;
   double commanded_from_key_m(double stamp_s) const;
