@@ -11,7 +11,7 @@ Pose2 OdometryHistory::step(const OdometryReading& reading) const {
   return odometry_step(vehicle_, motion == nullptr ? reading : error_.corrected(*motion));
 }
 
-void OdometryHistory::correct(const OdometryError& error, double from_s) {
+void OdometryHistory::correct(const OdometryCorrection& error, double from_s) {
   error_ = error;
   const std::size_t known = std::min(moves_, kCycles);
   for (std::size_t later = known; later-- > 1;) {

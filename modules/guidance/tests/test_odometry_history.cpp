@@ -43,7 +43,7 @@ TEST(OdometryHistory, RemembersTheLastCyclesHoweverManyThereWere) {
 
 /// As if the wheels had reported rightly since then.
 TEST(OdometryHistory, CorrectsWhatItRemembersSinceATime) {
-  const OdometryError error{.distance_factor = 1.5, .steering_bias_rad = 0.1};
+  const OdometryCorrection error{.distance_factor = 1.5, .steering_bias_rad = 0.1};
   OdometryHistory corrected({}), right({});
   for (int i = 1; i <= 100; ++i) {
     const FrontSteeredMotion reported{0.02, 0.3 * std::sin(i / 10.0)};

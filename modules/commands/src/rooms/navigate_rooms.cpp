@@ -51,7 +51,7 @@ Result<RouteInWorld> route_in_world(const std::filesystem::path& building, const
   return RouteInWorld(MapTruth({route.path.at(0).T_map_path}, {*start}), route);
 }
 
-std::string misreported(const OdometryError& error) {
+std::string misreported(const OdometryCorrection& error) {
   return fmt::format(
       "by the images the vehicle drove {:.2f} times the path that its wheels counted, and its front wheels "
       "pointed {:.1f} degrees farther left than reported; it was driven by the images: check its odometry",

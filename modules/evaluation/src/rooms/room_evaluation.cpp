@@ -22,7 +22,7 @@ double clearance_ahead_m(const World& world, const Footprint& footprint, const P
 }
 
 /// null: none.
-nlohmann::ordered_json odometry_figures(const std::optional<OdometryError>& error) {
+nlohmann::ordered_json odometry_figures(const std::optional<OdometryCorrection>& error) {
   if (!error) return {};
   return {{"distance_factor", rounded(error->distance_factor, 3)},
           {"steering_bias_deg", rounded(to_degrees(error->steering_bias_rad), 2)}};

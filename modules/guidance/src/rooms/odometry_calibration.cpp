@@ -42,11 +42,11 @@ constexpr int kOffMin = 2;           // measurements in a row
 constexpr double kFactorMin = 0.2, kFactorMax = 4, kBiasMax_rad = 20 * kDegree;
 constexpr double kPlausibleFactorMin = 0.35, kPlausibleFactorMax = 2.8;  // beyond, they spin or are stuck
 
-Vec2 as_vector(const OdometryError& error) {
+Vec2 as_vector(const OdometryCorrection& error) {
   return {error.distance_factor, error.steering_bias_rad};
 }
 
-OdometryError moved(const OdometryError& error, const Vec2& by) {
+OdometryCorrection moved(const OdometryCorrection& error, const Vec2& by) {
   return {std::clamp(error.distance_factor + by.x(), kFactorMin, kFactorMax),
           std::clamp(error.steering_bias_rad + by.y(), -kBiasMax_rad, kBiasMax_rad)};
 }
@@ -100,7 +100,7 @@ double OdometryCalibration::commanded_from_key_m(double stamp_s) const {
   return path_m;
 }
 
-Pose2 OdometryCalibration::T_key_vehicle(double stamp_s, const OdometryError& error) const {
+Pose2 OdometryCalibration::T_key_vehicle(double stamp_s, const OdometryCorrection& error) const {
   Pose2 T;
   double before_s = key_s_;
   for (const Motion& motion : motions_) {
@@ -171,10 +171,10 @@ std::optional<OdometryCalibration::Estimate> OdometryCalibration::follow(double 
 /// @param first  where it begins to iterate
 /// @return nullopt: too few edges match
 std::optional<OdometryCalibration::Estimate> OdometryCalibration::updated(
-    const Estimate& prior, const OdometryError& first, double stamp_s,
+    const Estimate& prior, const OdometryCorrection& first, double stamp_s,
     std::span<const Vec2> p_vehicle) const {
   const Mat2 prior_information = prior.covariance.inverse();
-  OdometryError found = first;
+  OdometryCorrection found = first;
   Agreement agreement = compared(stamp_s, p_vehicle, found);
   for (int i = 0; i < kIterations; ++i) {
     const Vec2 to_prior = as_vector(prior.error) - as_vector(found);
@@ -191,7 +191,7 @@ std::optional<OdometryCalibration::Estimate> OdometryCalibration::updated(
 
 /// Each edge with the line through the nearest one of the key image.
 OdometryCalibration::Agreement OdometryCalibration::compared(double stamp_s, std::span<const Vec2> p_vehicle,
-                                                             const OdometryError& error) const {
+                                                             const OdometryCorrection& error) const {
   constexpr double kFactorStep = 0.01, kBiasStep_rad = 0.01;  // numerical derivatives
   const Pose2 T = T_key_vehicle(stamp_s, error);
   const Pose2 T_factor =

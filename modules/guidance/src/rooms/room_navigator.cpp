@@ -174,7 +174,7 @@ void RoomNavigator::look(const Observation& observation) {
 
 /// What is remembered of the last metre moves along with its odometry.
 void RoomNavigator::calibrate(double stamp_s) {
-  const OdometryError error = calibration_.error();
+  const OdometryCorrection error = calibration_.error();
   calibration_.look(stamp_s, sight()->p_vehicle_edges);
   if (calibration_.error() == error) return;
   const OdometryHistory before = odometry_;
@@ -286,7 +286,7 @@ Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
           .why = fmt::format("{:.1f} m to go, {:.2f} m free", std::max(0.0, left_m()), choice.free_m)};
 }
 
-std::optional<OdometryError> RoomNavigator::odometry_error() const {
+std::optional<OdometryCorrection> RoomNavigator::odometry_error() const {
   return calibration_.has_error() ? std::optional(calibration_.error()) : std::nullopt;
 }
 

@@ -47,7 +47,7 @@ class DrivenFloor {
   explicit DrivenFloor(Walls walls) : walls_(std::move(walls)) {}
 
   /// One cycle with the front wheels at an angle.
-  void step(double steering_rad, const OdometryError& error, double speed_mps = kCalibrationSpeed_mps) {
+  void step(double steering_rad, const OdometryCorrection& error, double speed_mps = kCalibrationSpeed_mps) {
     stamp_s_ += kCalibrationCycle_s;
     const FrontSteeredMotion real{speed_mps * kCalibrationCycle_s, steering_rad};
     T_world_vehicle_ = T_world_vehicle_ * drive(vehicle_, real);
@@ -58,7 +58,7 @@ class DrivenFloor {
   }
 
   /// To and fro through the room for a time.
-  void wander(double time_s, const OdometryError& error) {
+  void wander(double time_s, const OdometryCorrection& error) {
     for (double until_s = stamp_s_ + time_s; stamp_s_ < until_s;)
       step(0.2 * std::cos(stamp_s_ / 2), error,
            kCalibrationSpeed_mps * (std::fmod(stamp_s_, 24) < 12 ? 1 : -1));
@@ -109,7 +109,7 @@ TEST(OdometryCalibration, FindsNothingWhereTheWheelsAreRight) {
   DrivenFloor floor(furnished_room());
   floor.wander(240, {});
   EXPECT_FALSE(floor.calibration().has_error());
-  EXPECT_EQ(floor.calibration().error(), OdometryError{});
+  EXPECT_EQ(floor.calibration().error(), OdometryCorrection{});
 }
 
 TEST(OdometryCalibration, LeavesAPercentOfErrorToWhoLocalises) {
@@ -124,7 +124,7 @@ RC_GTEST_PROP(OdometryCalibration, FindsWhatTheWheelsMisreport, ()) {
   const double factor = *rc::gen::inRange(50, 201) / 100.0;
   const double bias_rad = *rc::gen::inRange(-80, 81) / 10.0 * kDegree;
   RC_PRE(std::abs(std::log(factor)) > 0.2 || std::abs(bias_rad) > 3 * kDegree);
-  const OdometryError error{factor, bias_rad};
+  const OdometryCorrection error{factor, bias_rad};
   DrivenFloor floor(furnished_room());
   const double before_s = *rc::gen::inRange(3, 10);
   floor.wander(before_s, {});

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "aisle/geometry/pose2.hpp"
-#include "aisle/guidance/odometry_error.hpp"
+#include "aisle/guidance/odometry_correction.hpp"
 #include "aisle/vehicle/observation.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
@@ -24,7 +24,7 @@ class OdometryHistory {
 
   /// From now on, and for what is remembered after a time, the wheels misreport a front-steered vehicle's
   /// motion so.
-  void correct(const OdometryError& error, double from_s);
+  void correct(const OdometryCorrection& error, double from_s);
 
   const Pose2& T_odom_vehicle() const { return latest().T_odom_vehicle; }
   double stamp_s() const { return latest().stamp_s; }
@@ -51,7 +51,7 @@ class OdometryHistory {
   }
 
   VehicleDescription vehicle_;
-  OdometryError error_;
+  OdometryCorrection error_;
   std::array<StampedPose, kCycles> poses_;
   std::size_t moves_ = 0;
 };

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
-#include "aisle/guidance/odometry_error.hpp"
+#include "aisle/guidance/odometry_correction.hpp"
 
 namespace aisle {
 
@@ -26,7 +26,7 @@ class OdometryCalibration {
   void look(double stamp_s, std::span<const Vec2> p_vehicle);
 
   /// None until it is sure of one.
-  OdometryError error() const { return steady_ ? steady_->error : OdometryError{}; }
+  OdometryCorrection error() const { return steady_ ? steady_->error : OdometryCorrection{}; }
   bool has_error() const { return steady_.has_value(); }
   /// Since when the motions have had this error, as far as it can tell.
   double error_from_s() const { return error_from_s_; }
@@ -44,7 +44,7 @@ class OdometryCalibration {
     Vec2 normal = Vec2::Zero();
   };
   struct Estimate {
-    OdometryError error;
+    OdometryCorrection error;
     Mat2 covariance = Mat2::Zero();  ///< of the distance factor and the bias
     double cost = 0;                 ///< negative logarithm of its likelihood
   };
@@ -60,13 +60,13 @@ class OdometryCalibration {
   static bool surely_differ(const Estimate& one, const Estimate& other);
   double path_from_key_m(double stamp_s) const;
   double commanded_from_key_m(double stamp_s) const;
-  Pose2 T_key_vehicle(double stamp_s, const OdometryError& error) const;
+  Pose2 T_key_vehicle(double stamp_s, const OdometryCorrection& error) const;
   void begin_at(double stamp_s, std::span<const Vec2> p_vehicle);
   void measure(double stamp_s, std::span<const Vec2> p_vehicle);
   std::optional<Estimate> follow(double path_m, double stamp_s, std::span<const Vec2> p_vehicle);
-  std::optional<Estimate> updated(const Estimate& prior, const OdometryError& first, double stamp_s,
+  std::optional<Estimate> updated(const Estimate& prior, const OdometryCorrection& first, double stamp_s,
                                   std::span<const Vec2> p_vehicle) const;
-  Agreement compared(double stamp_s, std::span<const Vec2> p_vehicle, const OdometryError& error) const;
+  Agreement compared(double stamp_s, std::span<const Vec2> p_vehicle, const OdometryCorrection& error) const;
 
   FrontSteered vehicle_;
   double key_s_ = 0;

@@ -4,8 +4,8 @@
 
 namespace aisle {
 
-/// What a front-steered vehicle's odometer and steering encoder misreport, of every motion alike.
-struct OdometryError {
+/// Undoes what a front-steered vehicle's odometer and steering encoder misreport, of every motion alike.
+struct OdometryCorrection {
   double distance_factor = 1;    ///< real distance per reported one
   double steering_bias_rad = 0;  ///< how much farther left than reported the front wheels point
 
@@ -14,7 +14,7 @@ struct OdometryError {
     return {distance_factor * reported.distance_m, reported.steering_rad + steering_bias_rad};
   }
 
-  friend bool operator==(const OdometryError&, const OdometryError&) = default;
+  friend bool operator==(const OdometryCorrection&, const OdometryCorrection&) = default;
 };
 
 }  // namespace aisle
