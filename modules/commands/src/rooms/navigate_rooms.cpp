@@ -127,7 +127,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   auto mission =
       drive_room_mission(driven.vehicle(), driven.truth(), **navigator, *session, console.progress);
   if (!mission) return mission.problems();
-  if (mission->odometry_error) console.warn(misreported(*mission->odometry_error));
+  if (mission->odometry_correction) console.warn(misreported(*mission->odometry_correction));
   if (const Problems problems = close_session(*session); !problems.empty()) return problems;
   const JudgedRoomMission result = *place ? judged(std::move(*mission), (*place)->world,
                                                    driven.description().footprint, (*place)->T_world_due)

@@ -77,7 +77,7 @@ nlohmann::ordered_json figures_of(const JudgedRoomMission& judged) {
        {"duration_s", rounded(mission.end.duration_s, 3)},
        {"cycle_ms", cycle_figures(mission.cycle_s)},
        {"corner_seen", if_known(mission.has_seen_corner)},
-       {"odometry_error", odometry_figures(mission.odometry_error)}});
+       {"odometry_error", odometry_figures(mission.odometry_correction)}});
 }
 
 }  // namespace aisle

@@ -77,12 +77,12 @@ void OdometryCalibration::look(double stamp_s, std::span<const Vec2> p_vehicle) 
   if (key_.empty()) return begin_at(stamp_s, p_vehicle);
   const double path_m = path_from_key_m(stamp_s);
   if (std::max(path_m, commanded_from_key_m(stamp_s)) < kBaseline_m) return;
-  if (path_m < kLost_m) measure(stamp_s, p_vehicle);
+  if (path_m < kLost_m) measure(path_m, stamp_s, p_vehicle);
   begin_at(stamp_s, p_vehicle);
 }
 
 bool OdometryCalibration::is_plausible() const {
-  const double factor = error().distance_factor;
+  const double factor = correction().distance_factor;
   return factor > kPlausibleFactorMin && factor < kPlausibleFactorMax;
 }
 
@@ -131,8 +131,7 @@ void OdometryCalibration::begin_at(double stamp_s, std::span<const Vec2> p_vehic
   }
 }
 
-void OdometryCalibration::measure(double stamp_s, std::span<const Vec2> p_vehicle) {
-  const double path_m = path_from_key_m(stamp_s);
+void OdometryCalibration::measure(double path_m, double stamp_s, std::span<const Vec2> p_vehicle) {
   const auto agile = follow(path_m, stamp_s, p_vehicle);
   if (!agile) return;
   const bool goes_on = !surely_differ(*agile, agile_);
@@ -141,20 +140,20 @@ void OdometryCalibration::measure(double stamp_s, std::span<const Vec2> p_vehicl
     steady_->covariance += path_m * covariance(kSteadyFactor, kSteadyBias_rad);
     if (const auto steady = updated(*steady_, steady_->error, stamp_s, p_vehicle)) steady_ = steady;
   }
-  error_from_s_ = stamp_s;
-  const bool is_off = surely_differ(agile_, {error(), Mat2::Zero()});
+  correction_from_s_ = stamp_s;
+  const bool is_off = surely_differ(agile_, {correction(), Mat2::Zero()});
   off_ = is_off ? (goes_on ? off_ + 1 : 1) : 0;
   if (off_ == 1) off_from_s_ = key_s_;
   if (off_ < kOffMin) return;
   steady_ = agile_;
-  error_from_s_ = off_from_s_;
+  correction_from_s_ = off_from_s_;
 }
 
 /// The agile filter's next estimate: the wheels are as they were, or, if that explains the images better,
 /// something has happened to them.
 std::optional<OdometryCalibration::Estimate> OdometryCalibration::follow(double path_m, double stamp_s,
                                                                          std::span<const Vec2> p_vehicle) {
-  const Estimate broken{error(), covariance(kBrokenFactor, kBrokenBias_rad), kBrokenCost};
+  const Estimate broken{correction(), covariance(kBrokenFactor, kBrokenBias_rad), kBrokenCost};
   // What nothing has shown for long is no better known than after a fault.
   const Estimate as_before =
       fused({agile_.error, agile_.covariance + path_m * covariance(kAgileFactor, kAgileBias_rad)}, broken);

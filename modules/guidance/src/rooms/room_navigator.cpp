@@ -118,16 +118,16 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
 
 Decision RoomNavigator::step(const Observation& observation) {
   Decision decision = rules_.obey(decide(observation), pose());
-  decision.command.steering_rad -= calibration_.error().steering_bias_rad;
+  decision.command.steering_rad -= calibration_.correction().steering_bias_rad;
   commanded_mps_ = decision.command.speed_mps;
   return decision;
 }
 
 Decision RoomNavigator::decide(const Observation& observation) {
   odometry_.move(observation);
-  const auto& reported = std::get<FrontSteeredMotion>(observation.odometry);
-  calibration_.move(observation.stamp_s, reported, commanded_mps_ * vehicle_.cycle_s);
-  steering_rad_ = calibration_.error().corrected(reported).steering_rad;
+  if (const auto* reported = std::get_if<FrontSteeredMotion>(&observation.odometry))
+    calibration_.move(observation.stamp_s, *reported, commanded_mps_ * vehicle_.cycle_s);
+  steering_rad_ = steering_rad_of(observation.odometry) + calibration_.correction().steering_bias_rad;
   remember_driven();
   if (state_ != State::kBackingOff) progress_.advance(pose());
   look(observation);
@@ -174,11 +174,11 @@ void RoomNavigator::look(const Observation& observation) {
 
 /// What is remembered of the last metre moves along with its odometry.
 void RoomNavigator::calibrate(double stamp_s) {
-  const OdometryCorrection error = calibration_.error();
+  const OdometryCorrection error = calibration_.correction();
   calibration_.look(stamp_s, sight()->p_vehicle_edges);
-  if (calibration_.error() == error) return;
+  if (calibration_.correction() == error) return;
   const OdometryHistory before = odometry_;
-  odometry_.correct(calibration_.error(), calibration_.error_from_s());
+  odometry_.correct(calibration_.correction(), calibration_.correction_from_s());
   edges_.correct(before, odometry_);
   place_.correct(before.T_odom_vehicle(), odometry_.T_odom_vehicle());
 }
@@ -286,15 +286,15 @@ Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
           .why = fmt::format("{:.1f} m to go, {:.2f} m free", std::max(0.0, left_m()), choice.free_m)};
 }
 
-std::optional<OdometryCorrection> RoomNavigator::odometry_error() const {
-  return calibration_.has_error() ? std::optional(calibration_.error()) : std::nullopt;
+std::optional<OdometryCorrection> RoomNavigator::odometry_correction() const {
+  return calibration_.has_correction() ? std::optional(calibration_.correction()) : std::nullopt;
 }
 
 Decision RoomNavigator::slipping() const {
   return {.status = NavigatorStatus::kFailed,
           .state = "slipping",
           .why = fmt::format("the wheels count {:.1f} times the path that the images show",
-                             1 / calibration_.error().distance_factor)};
+                             1 / calibration_.correction().distance_factor)};
 }
 
 std::string RoomNavigator::why_waiting() const {

@@ -108,14 +108,14 @@ class DrivenFloor {
 TEST(OdometryCalibration, FindsNothingWhereTheWheelsAreRight) {
   DrivenFloor floor(furnished_room());
   floor.wander(240, {});
-  EXPECT_FALSE(floor.calibration().has_error());
-  EXPECT_EQ(floor.calibration().error(), OdometryCorrection{});
+  EXPECT_FALSE(floor.calibration().has_correction());
+  EXPECT_EQ(floor.calibration().correction(), OdometryCorrection{});
 }
 
 TEST(OdometryCalibration, LeavesAPercentOfErrorToWhoLocalises) {
   DrivenFloor floor(furnished_room());
   floor.wander(120, {.distance_factor = 1.01, .steering_bias_rad = 0.3 * kDegree});
-  EXPECT_FALSE(floor.calibration().has_error());
+  EXPECT_FALSE(floor.calibration().has_correction());
 }
 
 /// Whatever the wheels begin to misreport, some metres later it is known; what they reported before the last
@@ -129,13 +129,13 @@ RC_GTEST_PROP(OdometryCalibration, FindsWhatTheWheelsMisreport, ()) {
   const double before_s = *rc::gen::inRange(3, 10);
   floor.wander(before_s, {});
   const double begun_s = floor.stamp_s();
-  while (!floor.calibration().has_error() && floor.stamp_s() < begun_s + 20)
+  while (!floor.calibration().has_correction() && floor.stamp_s() < begun_s + 20)
     floor.wander(kCalibrationCycle_s, error);
-  RC_ASSERT(floor.calibration().has_error());
-  RC_ASSERT(floor.calibration().error_from_s() > begun_s - 1.5);
+  RC_ASSERT(floor.calibration().has_correction());
+  RC_ASSERT(floor.calibration().correction_from_s() > begun_s - 1.5);
   floor.wander(10, error);
-  RC_ASSERT(std::abs(floor.calibration().error().distance_factor / factor - 1) < 0.15);
-  RC_ASSERT(std::abs(floor.calibration().error().steering_bias_rad - bias_rad) <
+  RC_ASSERT(std::abs(floor.calibration().correction().distance_factor / factor - 1) < 0.15);
+  RC_ASSERT(std::abs(floor.calibration().correction().steering_bias_rad - bias_rad) <
             1.5 * kDegree + 0.3 * std::abs(bias_rad));
 }
 
@@ -143,17 +143,17 @@ TEST(OdometryCalibration, GoesBackWhenTheWheelsAreRightAgain) {
   DrivenFloor floor(furnished_room());
   floor.wander(6, {});
   floor.wander(8, {.distance_factor = 0.5});
-  EXPECT_NEAR(floor.calibration().error().distance_factor, 0.5, 0.04);
+  EXPECT_NEAR(floor.calibration().correction().distance_factor, 0.5, 0.04);
   floor.wander(12, {});
-  EXPECT_NEAR(floor.calibration().error().distance_factor, 1, 0.04);
+  EXPECT_NEAR(floor.calibration().correction().distance_factor, 1, 0.04);
 }
 
 TEST(OdometryCalibration, LearnsOnlyTheSteeringBetweenStraightWalls) {
   DrivenFloor floor(corridor());
   for (int i = 0; i < 300; ++i) floor.step(0, {.distance_factor = 0.7});
-  EXPECT_FALSE(floor.calibration().has_error()) << "nothing shows the distance";
+  EXPECT_FALSE(floor.calibration().has_correction()) << "nothing shows the distance";
   for (int i = 0; i < 80; ++i) floor.step(0.02 * std::cos(i / 4.0), {.steering_bias_rad = 5 * kDegree});
-  EXPECT_NEAR(to_degrees(floor.calibration().error().steering_bias_rad), 5, 0.7);
+  EXPECT_NEAR(to_degrees(floor.calibration().correction().steering_bias_rad), 5, 0.7);
 }
 
 TEST(OdometryCalibration, IsNotMisledBySomebodyWhoCrossesThePath) {
@@ -167,7 +167,7 @@ TEST(OdometryCalibration, IsNotMisledBySomebodyWhoCrossesThePath) {
     return legs;
   };
   floor.wander(120, {});
-  EXPECT_FALSE(floor.calibration().has_error());
+  EXPECT_FALSE(floor.calibration().has_correction());
 }
 
 TEST(OdometryCalibration, WheelsThatSpinOnTheSpotAreNoLongerPlausible) {
@@ -181,7 +181,7 @@ TEST(OdometryCalibration, WheelsThatSpinOnTheSpotAreNoLongerPlausible) {
 TEST(OdometryCalibration, BearsImagesWithoutEdges) {
   DrivenFloor floor({});
   floor.wander(30, {.distance_factor = 0.5});
-  EXPECT_FALSE(floor.calibration().has_error());
+  EXPECT_FALSE(floor.calibration().has_correction());
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ Result<RoomMissionResult> drive_room_mission(Vehicle& vehicle, const TruthSource
   }
   result.tries = navigator.parking_tries();
   result.has_seen_corner = navigator.has_seen_corner();
-  result.odometry_error = navigator.odometry_error();
+  result.odometry_correction = navigator.odometry_correction();
   result.is_confirmed = result.end.arrived && navigator.has_confirmed_place();
   return result;
 }

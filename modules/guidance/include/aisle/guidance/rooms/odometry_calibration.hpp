@@ -25,11 +25,11 @@ class OdometryCalibration {
   /// @param p_vehicle  in base_link; neighbours on an edge are neighbours here
   void look(double stamp_s, std::span<const Vec2> p_vehicle);
 
-  /// None until it is sure of one.
-  OdometryCorrection error() const { return steady_ ? steady_->error : OdometryCorrection{}; }
-  bool has_error() const { return steady_.has_value(); }
-  /// Since when the motions have had this error, as far as it can tell.
-  double error_from_s() const { return error_from_s_; }
+  /// Changes nothing until it is sure that the wheels misreport.
+  OdometryCorrection correction() const { return steady_ ? steady_->error : OdometryCorrection{}; }
+  bool has_correction() const { return steady_.has_value(); }
+  /// Since when the motions need it, as far as it can tell.
+  double correction_from_s() const { return correction_from_s_; }
   /// Whether what was seen can still be told from wheels that misreport.
   bool is_plausible() const;
 
@@ -62,7 +62,7 @@ class OdometryCalibration {
   double commanded_from_key_m(double stamp_s) const;
   Pose2 T_key_vehicle(double stamp_s, const OdometryCorrection& error) const;
   void begin_at(double stamp_s, std::span<const Vec2> p_vehicle);
-  void measure(double stamp_s, std::span<const Vec2> p_vehicle);
+  void measure(double path_m, double stamp_s, std::span<const Vec2> p_vehicle);
   std::optional<Estimate> follow(double path_m, double stamp_s, std::span<const Vec2> p_vehicle);
   std::optional<Estimate> updated(const Estimate& prior, const OdometryCorrection& first, double stamp_s,
                                   std::span<const Vec2> p_vehicle) const;
@@ -77,7 +77,7 @@ class OdometryCalibration {
   std::optional<Estimate> steady_;
   int off_ = 0;  ///< measurements in a row by which the agile filter differs, one like the other ...
   double off_from_s_ = 0;  ///< ... and the key image of the first
-  double error_from_s_ = 0;
+  double correction_from_s_ = 0;
 };
 
 }  // namespace aisle

@@ -95,7 +95,7 @@ class RoomNavigator final : public Navigator {
   /// reverse by a corner.
   std::optional<bool> has_seen_corner() const;
   /// What the wheels misreport, if it is sure of that.
-  std::optional<OdometryCorrection> odometry_error() const;
+  std::optional<OdometryCorrection> odometry_correction() const;
   /// Number of attempts to park.
   int parking_tries() const;
 

@@ -15,7 +15,7 @@ struct RoomMissionResult : MissionResult {
   int tries = 1;
   bool is_confirmed = false;            ///< whether the place was confirmed by what is seen there
   std::optional<bool> has_seen_corner;  ///< the route's corner; set if it backed up between turnings
-  std::optional<OdometryCorrection> odometry_error;  ///< at the end; set if the vehicle corrected one
+  std::optional<OdometryCorrection> odometry_correction;  ///< at the end; set if the vehicle corrected one
 
   bool parked() const { return end.arrived && is_unharmed(); }
 };
