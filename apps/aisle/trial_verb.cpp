@@ -104,6 +104,8 @@ void add_trial_verb(CLI::App& app, Work& work, const std::function<void(const Tr
   verb->add_option("--noise-scale", options->noise_scale,
                    "explore: factor on the odometry's errors (default 1)")
       ->check(CLI::Range(0.0, 20.0));
+  verb->add_flag("--start-anywhere", options->starts_anywhere,
+                 "explore: start at a random place, with a random heading, in place of the world's start");
   verb->add_option("--lift", options->lift_m,
                    "landmarks: kidnap the vehicle once, and put it down so far ahead or back on its path [m]")
       ->check(CLI::Range(0.5, 100.0));

@@ -109,6 +109,26 @@ TEST_F(Explore, AVehicleThatIsBlockedOnEveryPathOutBacktracks) {
   EXPECT_LE(figures["home_error_m"], 0.1);
 }
 
+/// It sees what is before its front only: it cannot turn on that.
+TEST_F(Explore, AVehicleThatWasPutAcrossACorridorTurnsOutOfIt) {
+  for (const char* start : {"9.38,0.73,95", "14.85,5.37,40", "2.37,1.29,-66"}) {
+    const ProgramRun run = run_aisle({"explore", "l-corridor", "--start", start, "--json"});
+    const auto figures = run.json()["figures"];
+    EXPECT_EQ(figures["came_home"], true) << start << ": " << figures["ended_because"];
+    EXPECT_GE(figures["covered_share"], 0.98) << start;
+    EXPECT_LE(figures["home_error_m"], 0.1) << start;
+  }
+}
+
+/// No path that the search knows leads into the first pose, from which it moved away by less than its step.
+TEST_F(Explore, AVehicleComesHomeAsItLeftWhereThereIsHardlySpace) {
+  const ProgramRun run =
+      run_aisle({"explore", "laboratory", "--start", "1.833,3.075,-162.9", "--seed", "701", "--json"});
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["came_home"], true) << figures["ended_because"];
+  EXPECT_LE(figures["home_error_m"], 0.05);
+}
+
 TEST_F(Explore, PeopleWhoWalkThroughNeitherShutItInNorStayInItsMap) {
   const ProgramRun run = run_aisle({"explore", "people-crossing", "--vehicle", "turtlebot", "--json"});
   const auto figures = run.json()["figures"];

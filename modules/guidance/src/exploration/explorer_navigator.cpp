@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kCoverageEvery_m = 0.5;
 constexpr int kHomeAttemptsMax = 4;
+constexpr double kLeft_m = 2;              // so far from home it has left where it was put
 constexpr double kContactKnown_m = -0.03;  // with less clearance, the floor shows what was touched
 
 }  // namespace
@@ -121,6 +122,8 @@ void ExplorerNavigator::be_blocked(std::optional<LegDirection> direction) {
 
 void ExplorerNavigator::keep_trail(FloorLearner::News news) {
   if (!learner_.has_looked()) return;
+  const Pose2 T_home_vehicle = between(learner_.T_map_home(), learner_.T_map_vehicle());
+  if (T_home_vehicle.position().norm() > kLeft_m) is_where_put_ = false;
   if (news == FloorLearner::News::kLoop) trail_.lay_again(learner_.T_map_vehicle_of_all());
   if (phase_ == ExploringPhase::kRetreating) return trail_.go_back(learner_.T_map_vehicle());
   trail_.go_on(learner_.T_map_vehicle(), learner_.log().scans.size() - 1);
@@ -188,6 +191,7 @@ void ExplorerNavigator::drop_path() {
 
 std::string ExplorerNavigator::state_word() const {
   if (phase_ == ExploringPhase::kRetreating) return "retreating";
+  if (phase_ == ExploringPhase::kProbing) return "probing";
   if (phase_ != ExploringPhase::kDriving) return "searching";
   if (!target_) return "exploring";
   switch (target_->kind) {

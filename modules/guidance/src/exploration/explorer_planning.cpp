@@ -116,10 +116,11 @@ void ExplorerNavigator::check_retry_budget() {
 }
 
 /// It cannot see past the frontier. A frontier that no pose within reach shows, or with hardly anything left
-/// to be seen behind it, is given up; another one is abandoned and reported as undone.
+/// to be seen behind it, is given up; another one is abandoned and reported as undone, as is each where the
+/// vehicle could not even leave the place where it was put.
 void ExplorerNavigator::leave_path() {
   const bool is_leftover = target_->frontier.behind_m2 < params_.explorer.leftover_m2;
-  if (is_out_of_reach_ || is_leftover) {
+  if ((is_out_of_reach_ && !is_where_put_) || is_leftover) {
     explorer_.give_up(target_->path, cycle_);
   } else {
     explorer_.abandon(target_->path, cycle_);

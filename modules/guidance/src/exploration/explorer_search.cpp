@@ -1,6 +1,7 @@
 /// How ExplorerNavigator gets to its target.
 
 #include <algorithm>
+#include <utility>
 
 #include "aisle/guidance/exploration/explorer_navigator.hpp"
 
@@ -17,11 +18,13 @@ constexpr double kWedged_m = 0.5;         // a search that gets no farther fails
 constexpr double kRetreat_m = 3;          // at least, along its trail, before it searches again ...
 constexpr double kBackOut_m = 1;
 constexpr double kRoomy_m = 0.15;  // ... where it has this much more clearance than it needs
+constexpr double kTrailIn_m = 1;   // it goes into its first pose as it left it at least from this far away
+constexpr double kProbe_m = 0.3;   // of path over unknown floor, before it searches again
 
 }  // namespace
 
 void ExplorerNavigator::search_path() {
-  if (!target_ || phase_ == ExploringPhase::kRetreating) return;
+  if (!target_ || phase_ == ExploringPhase::kRetreating || phase_ == ExploringPhase::kProbing) return;
   search_on();
   if (is_time_to_search()) begin_search();
   const bool has_none = !driver_.has_path() && search_due_ == SearchDue::kNo;
@@ -71,7 +74,7 @@ void ExplorerNavigator::begin_search() {
   if (driver_.has_path()) shorten_path(params_.join_m);
   const Path& path = driver_.path();
   const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.end();
-  target_search_.look_for(*target_, T_map_from, tries_, may_end_at_home(T_map_from));
+  target_search_.look_for(*target_, T_map_from, tries_, may_end_at_home(T_map_from), trail_in());
   const bool is_path = target_->kind == ExploringTarget::Kind::kPath;
   if (target_search_.leads_home() && driver_.has_path()) {
     search_.stop();
@@ -82,11 +85,22 @@ void ExplorerNavigator::begin_search() {
   if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.blocked_direction());
   keep_off_what_blocks();
   if (tries_.failures > 0) search_.relax_clearance();
+  if (tries_.probe) search_.cross_unknown();
 }
 
 /// Where no path ends exactly at home, the vehicle first drives near home, and on from there.
 bool ExplorerNavigator::may_end_at_home(const Pose2& T_map_from) const {
   return tries_.paths % 2 == 0 && (tries_.paths > 0 || !blocks_.was_at(T_map_from));
+}
+
+/// Into its first pose, as it left it.
+Path ExplorerNavigator::trail_in() const {
+  return trail_.path_to_begin(learner_.T_map_home(), learner_.T_map_vehicle(), kTrailIn_m,
+                              [this](const Pose2& T_map) { return is_roomy(T_map); });
+}
+
+bool ExplorerNavigator::is_roomy(const Pose2& T_map) const {
+  return search_.footprint_clearance().clearance_m(learner_.floor(), T_map) > kRoomy_m;
 }
 
 /// The present laser returns may lie a little off the floor's occupied cells; and a path through a pose where
@@ -112,18 +126,35 @@ void ExplorerNavigator::take_path() {
                                           : PathEnd::kElsewhere;
   search_.stop();
   if (found.empty()) return arrive();
+  if (std::exchange(tries_.probe, false)) return take_probe(found);
   if (target_->kind == ExploringTarget::Kind::kPath)
     retry_budget_.allow(timer_.now_s(), learner_.path_m(), found.length_m());
-  driver_.take(found);
+  driver_.take(found, target_search_.trail_m());
   become(ExploringEvent::kPathFound);
+}
+
+/// Drives the first leg: then it has seen more, and may need to cross no unknown floor any more.
+void ExplorerNavigator::take_probe(const Path& found) {
+  driver_.take_trail(found);
+  driver_.shorten(kProbe_m);
+  path_end_ = PathEnd::kElsewhere;
+  become(ExploringEvent::kProbeFound);
+}
+
+/// A vehicle that was put across a corridor has seen the floor before its front only, and cannot turn on
+/// that.
+bool ExplorerNavigator::may_probe() const {
+  return is_where_put_ && tries_.failures > 0 && !tries_.probe && !driver_.has_path();
 }
 
 /// Either no path leads to the target, or none leads away from where the vehicle stands; that does not count
 /// against the target.
 void ExplorerNavigator::find_no_path() {
-  is_wedged_ = search_.reached_m() < kWedged_m;
+  is_wedged_ = !target_search_.leads_home() && search_.reached_m() < kWedged_m;
   search_.stop();
   arrived_cycle_ = cycle_;
+  tries_.probe = may_probe();
+  if (tries_.probe) return begin_search();
   if (!is_wedged_) count_failure();
   if (blocks_.blocked_direction()) {
     blocks_.unblock_direction();
@@ -161,9 +192,8 @@ void ExplorerNavigator::count_failure() {
 /// Drives back as it came, then searches again.
 bool ExplorerNavigator::retreat() {
   if (driver_.has_path()) return false;
-  const Path back = trail_.path_back(learner_.T_map_vehicle(), kRetreat_m, [this](const Pose2& T_map) {
-    return search_.footprint_clearance().clearance_m(learner_.floor(), T_map) > kRoomy_m;
-  });
+  const Path back = trail_.path_back(learner_.T_map_vehicle(), kRetreat_m,
+                                     [this](const Pose2& T_map) { return is_roomy(T_map); });
   if (back.empty()) return false;
   go_back(back);
   return true;

@@ -16,6 +16,8 @@ std::string_view name_of(ExploringPhase phase) {
       return "driving";
     case ExploringPhase::kRetreating:
       return "retreating";
+    case ExploringPhase::kProbing:
+      return "probing";
     case ExploringPhase::kHome:
       return "home";
     case ExploringPhase::kGivenUp:
@@ -32,6 +34,8 @@ std::string_view name_of(ExploringEvent event) {
       return "path found";
     case ExploringEvent::kTrailFound:
       return "trail found";
+    case ExploringEvent::kProbeFound:
+      return "probe found";
     case ExploringEvent::kPathEnded:
       return "path ended";
     case ExploringEvent::kPathDropped:

@@ -1,13 +1,15 @@
 #include "aisle/guidance/exploration/home_search.hpp"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "aisle/core/angle.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr double kRunIn_m = 1;  // straight end of the path
+constexpr double kStraight_m = 1;
 constexpr double kAtHome_m = 0.03;
 constexpr double kAtHome_rad = 1 * kDegree;
 
@@ -17,11 +19,25 @@ bool is_within(const Pose2& off, double within_m, double within_rad) {
 
 }  // namespace
 
-void HomeSearch::look_for(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from) {
+Path HomeSearch::straight_in(const KnownFloor& floor, const Pose2& T_map_home,
+                             const Pose2& T_map_from) const {
+  const FootprintClearance& footprint_clearance = search_.footprint_clearance();
+  const RelaxedClearance at_home = footprint_clearance.relaxed_clearance(floor, T_map_home);
+  const double first_m = between(T_map_home, T_map_from).x > 0 ? -kStraight_m : kStraight_m;
+  for (const double straight_m : {first_m, -first_m}) {
+    const Arc arc{straight_m, 0};
+    Path path({{T_map_home * end_pose(arc).inverse(), arc}});
+    if (footprint_clearance.free_path_m(floor, path, 0, at_home) >= path.length_m()) return path;
+  }
+  return {};
+}
+
+void HomeSearch::look_for(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from,
+                          Path way_in) {
   is_exact_ = true;
-  T_map_home_ = T_map_home;
-  run_in_ = run_in(floor, T_map_from);
-  search_.look_for_path_to(floor, T_map_run_in(), T_map_from);
+  way_in_ = std::move(way_in);
+  search_.look_for_path_to(floor, way_in_.empty() ? T_map_home : way_in_.pieces().front().T_map_start,
+                           T_map_from);
 }
 
 void HomeSearch::look_for_near(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from) {
@@ -32,23 +48,15 @@ void HomeSearch::look_for_near(const KnownFloor& floor, const Pose2& T_map_home,
 }
 
 Path HomeSearch::path() const {
-  Path found = search_.path();
-  if (!leads_home() || run_in_.length_m == 0) return found;
-  const Pose2 T_map_begin = found.empty() ? T_map_run_in() : found.end();
-  return found.followed_by(Path({{T_map_begin, run_in_}}));
-}
-
-/// From the side where the vehicle is, if there is space; else from the other side. Zero length: neither.
-Arc HomeSearch::run_in(const KnownFloor& floor, const Pose2& T_map_from) const {
-  const FootprintClearance& footprint_clearance = search_.footprint_clearance();
-  const RelaxedClearance at_home = footprint_clearance.relaxed_clearance(floor, T_map_home_);
-  const double first_m = between(T_map_home_, T_map_from).x > 0 ? -kRunIn_m : kRunIn_m;
-  for (const double run_in_m : {first_m, -first_m}) {
-    const Arc run_in{run_in_m, 0};
-    const Path path({{T_map_home_ * end_pose(run_in).inverse(), run_in}});
-    if (footprint_clearance.free_path_m(floor, path, 0, at_home) >= path.length_m()) return run_in;
+  const Path found = search_.path();
+  if (!leads_home() || way_in_.empty()) return found;
+  std::vector<PathPiece> pieces;
+  Pose2 T_map_end = found.empty() ? way_in_.pieces().front().T_map_start : found.end();
+  for (const PathPiece& piece : way_in_.pieces()) {
+    pieces.push_back({T_map_end, piece.arc});
+    T_map_end = pieces.back().end();
   }
-  return {};
+  return found.followed_by(Path(std::move(pieces)));
 }
 
 bool stands_at_home(const Pose2& T_map_home, const Pose2& T_map_vehicle) {

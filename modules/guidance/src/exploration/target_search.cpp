@@ -17,7 +17,7 @@ TargetSearch::TargetSearch(StagedSearch& search, const FloorLearner& learner,
     : search_(search), learner_(learner), distances_(distances), front_m_(front_m), home_search_(search) {}
 
 void TargetSearch::look_for(const ExploringTarget& target, const Pose2& T_map_from, const TargetTries& tries,
-                            bool exactly_home) {
+                            bool exactly_home, const Path& trail_in) {
   goes_home_ = target.kind == ExploringTarget::Kind::kHome;
   switch (target.kind) {
     case ExploringTarget::Kind::kPath:
@@ -26,7 +26,8 @@ void TargetSearch::look_for(const ExploringTarget& target, const Pose2& T_map_fr
     case ExploringTarget::Kind::kCrossing:
       return look_for_crossing(target.T_map_back.position(), T_map_from);
     case ExploringTarget::Kind::kHome:
-      return look_for_home(T_map_from, exactly_home);
+      if (exactly_home) return look_for_home(T_map_from, tries, trail_in);
+      return home_search_.look_for_near(learner_.floor(), learner_.T_map_home(), T_map_from);
   }
 }
 
@@ -60,9 +61,16 @@ void TargetSearch::look_for_crossing(const Vec2& p_map_crossing, const Pose2& T_
                    [=](const Pose2& T_map) { return (T_map.position() - p_map_crossing).norm() < near_m; });
 }
 
-void TargetSearch::look_for_home(const Pose2& T_map_from, bool exactly) {
-  const auto look_for = exactly ? &HomeSearch::look_for : &HomeSearch::look_for_near;
-  (home_search_.*look_for)(learner_.floor(), learner_.T_map_home(), T_map_from);
+/// After a straight metre; if no path leads there, any other way or as the vehicle left it, in turn.
+void TargetSearch::look_for_home(const Pose2& T_map_from, const TargetTries& tries, const Path& trail_in) {
+  const KnownFloor& floor = learner_.floor();
+  const Pose2& T_map_home = learner_.T_map_home();
+  const bool is_first = tries.failures == 0, is_by_trail = !is_first && tries.failures % 2 == 0;
+  trail_m_ = is_by_trail ? trail_in.length_m() : 0;
+  home_search_.look_for(floor, T_map_home, T_map_from,
+                        is_first      ? home_search_.straight_in(floor, T_map_home, T_map_from)
+                        : is_by_trail ? trail_in
+                                      : Path());
 }
 
 /// Nearer where the vehicle has seen nothing yet, farther where it cannot get so near.

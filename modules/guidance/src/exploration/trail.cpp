@@ -12,7 +12,9 @@ constexpr double kMarkEvery_m = 0.2;
 constexpr double kMarkEvery_rad = 10 * kDegree;
 constexpr double kMoved_m = 0.005;  // in a cycle: less says nothing about the gear
 constexpr double kThere_m = 0.05;   // within this distance a mark is reached
-constexpr double kPullIn_m = 0.4;   // of path over which the cross-track error is corrected
+constexpr double kAt_m = 0.1;       // within these limits the vehicle is on the trail
+constexpr double kAt_rad = 6 * kDegree;
+constexpr double kPullIn_m = 0.4;  // of path over which the cross-track error is corrected
 constexpr double kAlmostStraight_rad = 1e-6;
 
 /// An arc that the wheels can drive to about another pose: to its heading, and a little nearer to the trail.
@@ -24,6 +26,20 @@ Arc arc_to(const Pose2& T_from_to) {
   const double length_m = std::copysign(chord_m * bent, T_from_to.x);
   const double off_m = T_from_to.y - end_pose({length_m, T_from_to.theta}).y;
   return {length_m, T_from_to.theta + length_m * off_m / (kPullIn_m * kPullIn_m)};
+}
+
+bool is_at(const Pose2& T_map_vehicle, const Pose2& T_map_mark) {
+  const Pose2 off = between(T_map_mark, T_map_vehicle);
+  return off.position().norm() < kAt_m && std::abs(off.theta) < kAt_rad;
+}
+
+/// Adds the arc to another pose, unless the path is there already. @return where the path ends
+Pose2 go_on_to(const Pose2& T_map_mark, const Pose2& T_map_end, std::vector<PathPiece>& pieces) {
+  const Arc arc = arc_to(between(T_map_end, T_map_mark));
+  const bool is_there = arc.length_m == 0 && std::abs(arc.turn_rad) < kMarkEvery_rad;
+  if (is_there) return T_map_end;
+  pieces.push_back({T_map_end, arc});
+  return pieces.back().end();
 }
 
 }  // namespace
@@ -58,13 +74,27 @@ Path Trail::path_back(const Pose2& T_map_vehicle, double path_m,
   Pose2 T_map_end = T_map_vehicle;
   double left_m = path_m;
   for (auto mark = marks_.rbegin(); mark != marks_.rend() && (left_m > 0 || !is_roomy(T_map_end)); ++mark) {
-    const Arc arc = arc_to(between(T_map_end, mark->T_map_vehicle));
-    const bool is_there = arc.length_m == 0 && std::abs(arc.turn_rad) < kMarkEvery_rad;
-    if (is_there) continue;
-    pieces.push_back({T_map_end, arc});
-    T_map_end = pieces.back().end();
-    left_m -= std::abs(arc.length_m);
+    const std::size_t before = pieces.size();
+    T_map_end = go_on_to(mark->T_map_vehicle, T_map_end, pieces);
+    if (pieces.size() > before) left_m -= std::abs(pieces.back().arc.length_m);
   }
+  return Path(std::move(pieces));
+}
+
+Path Trail::path_to_begin(const Pose2& T_map_begin, const Pose2& T_map_vehicle, double away_m,
+                          const std::function<bool(const Pose2&)>& is_roomy) const {
+  std::vector<Pose2> T_map_marks;
+  for (const Mark& mark : marks_) {
+    const Pose2 T_begin_mark = between(marks_.front().T_map_vehicle, mark.T_map_vehicle);
+    T_map_marks.push_back(T_map_begin * T_begin_mark);
+    const bool is_near = T_begin_mark.position().norm() < away_m;
+    if (is_near ? is_at(T_map_vehicle, T_map_marks.back()) : is_roomy(T_map_marks.back())) break;
+    if (T_map_marks.size() == marks_.size()) return {};
+  }
+  std::vector<PathPiece> pieces;
+  Pose2 T_map_end = T_map_marks.empty() ? T_map_begin : T_map_marks.back();
+  for (auto T_map_mark = T_map_marks.rbegin(); T_map_mark != T_map_marks.rend(); ++T_map_mark)
+    T_map_end = go_on_to(*T_map_mark, T_map_end, pieces);
   return Path(std::move(pieces));
 }
 

@@ -144,7 +144,7 @@ void CarSearch::begin(const Pose2& T_map_leave) {
   expansions_ = 0;
   reached_m_ = 0;
   forbidden_first_.reset();
-  relaxes_clearance_ = false;
+  relaxes_clearance_ = crosses_unknown_ = false;
   is_free_ = nullptr;
   ends_ = {};
   T_map_leave_ = T_map_leave;
@@ -282,12 +282,18 @@ std::optional<double> CarSearch::least_clearance_m(const KnownFloor& floor, cons
     const Pose2 T_map = T_map_from * T_from;
     const double clearance_m = footprint_clearance_.clearance_m(floor, T_map, needed_m);
     const bool fits =
-        clearance_m >= enough_m ||
-        (may_barely_fit && footprint_clearance_.fits_barely(floor, T_map, clearance_m, leave_clearance_));
+        clearance_m >= enough_m || (may_barely_fit && fits_leaving(floor, T_map, clearance_m, enough_m));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, clearance_m);
   }
   return least_m;
+}
+
+bool CarSearch::fits_leaving(const KnownFloor& floor, const Pose2& T_map, double clearance_m,
+                             double enough_m) const {
+  if (footprint_clearance_.fits_barely(floor, T_map, clearance_m, leave_clearance_)) return true;
+  return crosses_unknown_ && footprint_clearance_.standing_clearance_m(floor, T_map) >= enough_m &&
+         footprint_clearance_.lies_on_free_or_unknown(floor, T_map);
 }
 
 /// Against no one-way zone, at its start nor at what it passes.

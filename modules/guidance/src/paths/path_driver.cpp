@@ -43,16 +43,16 @@ PathDriver::PathDriver(const VehicleDescription& vehicle, const SteeringParams& 
       braking_(vehicle, kWatchMargin_m),
       follower_(vehicle, turning_late(steering)) {}
 
-void PathDriver::take(const Path& path) {
+void PathDriver::take(const Path& path, double trail_m) {
   if (!has_path()) leg_begun_ = 0;
   path_ = path_.followed_by(path);
+  trail_from_m_ = trail_m > 0 ? path_.length_m() - trail_m : kNoTrail_m;
   progress_ = has_path() ? PathProgress(path_, progress_->point()) : PathProgress(path_);
 }
 
 void PathDriver::take_trail(const Path& path) {
   drop();
-  take(path);
-  is_on_trail_ = true;
+  take(path, path.length_m());
 }
 
 void PathDriver::shorten(double ahead_m) {
@@ -65,14 +65,16 @@ void PathDriver::shorten(double ahead_m) {
 void PathDriver::drop() {
   progress_.reset();
   path_ = {};
-  is_on_trail_ = false;
+  trail_from_m_ = kNoTrail_m;
 }
 
 double PathDriver::free_m(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
   if (!has_path()) return 0;
-  if (is_on_trail_) return left_m();
-  return kept_clearance_.free_path_m(floor, path_, progress_->point().along_m,
-                                     kept_clearance_.relaxed_clearance(floor, T_map_vehicle));
+  if (is_on_trail()) return left_m();
+  const double along_m = progress_->point().along_m;
+  const double free_m = kept_clearance_.free_path_m(floor, path_, along_m,
+                                                    kept_clearance_.relaxed_clearance(floor, T_map_vehicle));
+  return along_m + free_m >= trail_from_m_ ? left_m() : free_m;
 }
 
 PathDriver::Step PathDriver::drive(const KnownFloor& floor, const FootprintClearance& footprint_clearance,
@@ -98,8 +100,8 @@ PathDriver::Step PathDriver::drive(const KnownFloor& floor, const FootprintClear
 
 bool PathDriver::is_free(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
                          double steering_rad) const {
-  return is_on_trail_ ? braking_.is_free_on_trail(floor, T_map_vehicle, command, steering_rad)
-                      : braking_.is_free(floor, T_map_vehicle, command, steering_rad);
+  return is_on_trail() ? braking_.is_free_on_trail(floor, T_map_vehicle, command, steering_rad)
+                       : braking_.is_free(floor, T_map_vehicle, command, steering_rad);
 }
 
 /// Where the path's curvature does not match the steering angle, the vehicle stops to turn its wheels; but

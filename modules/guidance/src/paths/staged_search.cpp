@@ -103,6 +103,11 @@ void StagedSearch::relax_clearance() {
   from_ends_.relax_clearance();
 }
 
+void StagedSearch::cross_unknown() {
+  search_.cross_unknown();
+  from_ends_.cross_unknown();
+}
+
 bool StagedSearch::is_turn_of_ends() const {
   return from_ends_.state() == CarSearch::State::kSearching &&
          search_.state() == CarSearch::State::kSearching && search_.expansions() >= kSoonExpansions;

@@ -16,26 +16,18 @@ PhaseAfter allowed_pairs() {
   using enum ExploringPhase;
   using enum ExploringEvent;
   return {
-      {{kLooking, kLookedAround}, kSearching},
-      {{kLooking, kPathDropped}, kLooking},
-      {{kLooking, kGaveUp}, kGivenUp},
-      {{kSearching, kPathFound}, kDriving},
-      {{kSearching, kTrailFound}, kRetreating},
-      {{kSearching, kPathEnded}, kSearching},
-      {{kSearching, kPathDropped}, kSearching},
-      {{kSearching, kCameHome}, kHome},
-      {{kSearching, kGaveUp}, kGivenUp},
-      {{kDriving, kPathFound}, kDriving},
-      {{kDriving, kPathEnded}, kSearching},
-      {{kDriving, kPathDropped}, kSearching},
-      {{kDriving, kGaveUp}, kGivenUp},
-      {{kRetreating, kPathEnded}, kSearching},
-      {{kRetreating, kPathDropped}, kSearching},
-      {{kRetreating, kGaveUp}, kGivenUp},
-      {{kHome, kPathDropped}, kHome},
-      {{kHome, kGaveUp}, kHome},
-      {{kGivenUp, kPathDropped}, kGivenUp},
-      {{kGivenUp, kGaveUp}, kGivenUp},
+      {{kLooking, kLookedAround}, kSearching},  {{kLooking, kPathDropped}, kLooking},
+      {{kLooking, kGaveUp}, kGivenUp},          {{kSearching, kPathFound}, kDriving},
+      {{kSearching, kTrailFound}, kRetreating}, {{kSearching, kProbeFound}, kProbing},
+      {{kSearching, kPathEnded}, kSearching},   {{kSearching, kPathDropped}, kSearching},
+      {{kSearching, kCameHome}, kHome},         {{kSearching, kGaveUp}, kGivenUp},
+      {{kDriving, kPathFound}, kDriving},       {{kDriving, kPathEnded}, kSearching},
+      {{kDriving, kPathDropped}, kSearching},   {{kDriving, kGaveUp}, kGivenUp},
+      {{kRetreating, kPathEnded}, kSearching},  {{kRetreating, kPathDropped}, kSearching},
+      {{kRetreating, kGaveUp}, kGivenUp},       {{kProbing, kPathEnded}, kSearching},
+      {{kProbing, kPathDropped}, kSearching},   {{kProbing, kGaveUp}, kGivenUp},
+      {{kHome, kPathDropped}, kHome},           {{kHome, kGaveUp}, kHome},
+      {{kGivenUp, kPathDropped}, kGivenUp},     {{kGivenUp, kGaveUp}, kGivenUp},
   };
 }
 

@@ -101,5 +101,43 @@ TEST_F(OnATrail, FollowsItsScansAfterALoopClosure) {
   EXPECT_LT((back.end().position() - T_again_driven.front().position()).norm(), 0.06);
 }
 
+TEST_F(OnATrail, LeadsIntoWhereItBeganAsItLeft) {
+  drive({-0.4, 0.2});
+  drive({2, 0.8});
+  drive({6, -1});
+  const Pose2 T_map_begin = T_map_driven_[1];
+  const Path in = trail_.path_to_begin(T_map_begin, T_map_driven_.back(), 1, everywhere);
+  ASSERT_FALSE(in.empty());
+  EXPECT_LT((in.end().position() - T_map_begin.position()).norm(), 0.06);
+  EXPECT_LT(std::abs(wrap_angle(in.end().theta - T_map_begin.theta)), 3 * kDegree);
+  EXPECT_GE((in.at(0).T_map_path.position() - T_map_begin.position()).norm(), 1);
+  EXPECT_LT(in.length_m(), 2.4);
+  for (double along_m = 0; along_m < in.length_m(); along_m += 0.1)
+    EXPECT_LT(off_trail_m(in.at(along_m).T_map_path.position()), 0.04) << along_m;
+}
+
+TEST_F(OnATrail, LeadsIntoWhereItBeganFromWhereTheVehicleIsOnIt) {
+  drive({3, 0.5});
+  const Pose2 T_map_begin = T_map_driven_[1], T_map_vehicle = T_map_driven_[20];
+  const Path in = trail_.path_to_begin(T_map_begin, T_map_vehicle, 1, everywhere);
+  ASSERT_FALSE(in.empty());
+  EXPECT_LT((in.at(0).T_map_path.position() - T_map_vehicle.position()).norm(), 0.12);
+  EXPECT_LT((in.end().position() - T_map_begin.position()).norm(), 0.06);
+}
+
+TEST_F(OnATrail, LeadsToWhereItsBeginningIsKnownToBeNow) {
+  drive({3, 0.5});
+  const Pose2 T_map_begin{5, 1, 2};
+  const Path in = trail_.path_to_begin(T_map_begin, {0, 0, 0}, 1, everywhere);
+  ASSERT_FALSE(in.empty());
+  EXPECT_LT((in.end().position() - T_map_begin.position()).norm(), 0.06);
+}
+
+TEST_F(OnATrail, DoesNotLeadInFromWhereThereIsNoClearance) {
+  drive({3, 0.5});
+  const auto nowhere = [](const Pose2&) { return false; };
+  EXPECT_TRUE(trail_.path_to_begin(T_map_driven_[1], T_map_driven_.back(), 1, nowhere).empty());
+}
+
 }  // namespace
 }  // namespace aisle

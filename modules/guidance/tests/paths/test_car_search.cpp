@@ -187,6 +187,29 @@ TEST_P(CarSearchOfEitherDrive, FindsNoPathBeyondKnownFloor) {
   EXPECT_EQ(run(known, search), CarSearch::State::kNone);
 }
 
+TEST(CarSearch, CrossesUnknownFloorWhereItBeginsOnlyIfAsked) {
+  KnownFloor across_a_corridor = free_floor({{Vec2(2.65, 1.2), Vec2(3.35, 2.5)}, {Vec2(0, 2), Vec2(8, 3)}});
+  for (int x = 0; x < 160; ++x) occupy(across_a_corridor, {x, 60});
+  CarSearch search({}, cart());
+  const Pose2 T_map_vehicle{3, 1.5, kPi / 2};
+  const auto along_it = [](const Pose2& T) { return T.x > 6; };
+  search.look_for(T_map_vehicle, along_it, no_guide);
+  search.relax_clearance();
+  EXPECT_EQ(run(across_a_corridor, search), CarSearch::State::kNone);
+  search.look_for(T_map_vehicle, along_it, no_guide);
+  search.relax_clearance();
+  search.cross_unknown();
+  ASSERT_EQ(run(across_a_corridor, search), CarSearch::State::kFound);
+  const FootprintClearance footprint_clearance(cart().footprint, 0);
+  const Path path = search.path();
+  for (double along_m = 0; along_m <= path.length_m(); along_m += 0.02) {
+    const Pose2 T_map = path.at(along_m).T_map_path;
+    EXPECT_TRUE(footprint_clearance.lies_off_occupied(across_a_corridor, T_map)) << along_m;
+    if ((T_map.position() - T_map_vehicle.position()).norm() > 2.3)
+      EXPECT_TRUE(footprint_clearance.lies_on_free(across_a_corridor, T_map)) << along_m;
+  }
+}
+
 TEST_P(CarSearchOfEitherDrive, KnowsWhereItCameIfItFoundNoPath) {
   const KnownFloor two_rooms = free_floor({{Vec2(0, 0), Vec2(4, 4)}, {Vec2(6, 0), Vec2(10, 4)}});
   CarSearch search({}, vehicle_);

@@ -90,6 +90,13 @@ TEST_P(PathDriving, IsBlockedBeforeUnknownFloor) {
   EXPECT_GT(T_map_vehicle_.x, 10);
 }
 
+TEST_P(PathDriving, DrivesThePartAlongItsTrailOverUnknownFloor) {
+  driver_.take(path_of({{10.5, 0}}, T_map_vehicle_), 3);
+  EXPECT_NEAR(driver_.free_m(hall_, T_map_vehicle_), driver_.left_m(), 1e-9);
+  EXPECT_EQ(drive_on(), PathDriver::State::kArrived);
+  EXPECT_NEAR(T_map_vehicle_.x, 12.5, 0.08);
+}
+
 TEST_P(PathDriving, IsBlockedByPresentLaserReturns) {
   std::vector<float> ranges_m(181, 20);
   ranges_m[90] = 0.1F;

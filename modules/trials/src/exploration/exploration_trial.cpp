@@ -10,12 +10,15 @@
 #include "aisle/core/rounded.hpp"
 #include "aisle/evaluation/exploration/exploration_evaluation.hpp"
 #include "mission_runs.hpp"
+#include "random_start.hpp"
 #include "trial_setting.hpp"
 
 namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kSpaceAhead_m = 0.15;  // of a vehicle that starts anywhere
 
 /// Figures whose mean and worst are reported.
 constexpr const char* kErrorFigures[] = {"home_error_m",      "home_error_deg",   "wall_rmse_m",
@@ -69,6 +72,7 @@ Outcome outcome_of(const TrialOptions& options, const Json& missions) {
   outcome.figures = {{"simulated", true},
                      {"method", options.method},
                      {"noise_scale", options.noise_scale},
+                     {"starts_anywhere", options.starts_anywhere},
                      {"missions", missions.size()},
                      {"complete_share", rounded(static_cast<double>(complete) / count, 4)},
                      {"certificate_share", rounded(static_cast<double>(certified) / count, 4)},
@@ -98,6 +102,13 @@ Result<Json> explore_seed(const TrialOptions& options, std::uint64_t seed, Conso
   auto setting = exploration_setting(options, explore, seed);
   if (!setting) return setting.problems();
   Json mission = {{"world", setting->world.name}};
+  if (options.starts_anywhere) {
+    const auto T_world_start = random_start(*setting, kSpaceAhead_m, seed);
+    if (!T_world_start) return T_world_start.problems();
+    explore.T_world_start = *T_world_start;
+    mission["start"] = {rounded(T_world_start->x, 3), rounded(T_world_start->y, 3),
+                        rounded(to_degrees(T_world_start->theta), 1)};
+  }
   const auto plan = read_exploration_plan(explore, std::move(*setting));
   if (!plan) return plan.problems();
   const auto explored = explore_and_judge(explore, *plan, console);

@@ -18,9 +18,6 @@ constexpr double kMargin_m = 0.5;
 constexpr double kMissingShare = 0.05;  // of the walls' length
 constexpr double kMissing_m = 1;        // in pieces of this length
 constexpr double kMoved_m = 0.5;        // standard deviation of where furniture stood before
-constexpr double kBeside_m = 0.15;      // whoever puts a vehicle down leaves it so much space on all sides
-constexpr double kAhead_m = 1.2;        // and ahead, for it cannot see what is behind it
-constexpr int kTries = 20000;
 
 using Box = Eigen::AlignedBox2d;
 
@@ -108,21 +105,6 @@ Result<Building> outdated_map_of_world(const SimulationSetting& setting, const F
   const World before = with_moved_furniture(setting.world, random);
   const std::vector<Segment2> seen = without_some(seen_in(before, setting), random);
   return building_of_map(drawn(seen, floor), setting.world.name, progress);
-}
-
-Pose2 random_pose(const SimulationSetting& setting, const FreeFloor& floor, const Pose2& T_world_start,
-                  Random& random) {
-  const Box box = box_of(seen_in(setting.world, setting));
-  Footprint needed = setting.vehicle.description.footprint;
-  needed.front_m += kAhead_m;
-  needed.rear_m += kBeside_m;
-  needed.width_m += 2 * kBeside_m;
-  for (int i = 0; i < kTries; ++i) {
-    const Pose2 pose{random.uniform(box.min().x(), box.max().x()),
-                     random.uniform(box.min().y(), box.max().y()), random.uniform(-kPi, kPi)};
-    if (floor.reaches(pose.position()) && fits(setting.world, needed, pose)) return pose;
-  }
-  return T_world_start;
 }
 
 }  // namespace aisle

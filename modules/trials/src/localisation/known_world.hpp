@@ -17,9 +17,4 @@ Building building_of_world(const SimulationSetting& setting, const FreeFloor& fl
 Result<Building> outdated_map_of_world(const SimulationSetting& setting, const FreeFloor& floor,
                                        Random random, Progress& progress);
 
-/// A random pose on floor that can be reached, with the space beside and ahead that a vehicle needs to set
-/// off without seeing what is behind it; the world's start if none is found.
-Pose2 random_pose(const SimulationSetting& setting, const FreeFloor& floor, const Pose2& T_world_start,
-                  Random& random);
-
 }  // namespace aisle

@@ -13,6 +13,7 @@
 #include "aisle/simulation/cross_section.hpp"
 #include "localisation/known_world.hpp"
 #include "mission_runs.hpp"
+#include "random_start.hpp"
 #include "trial_setting.hpp"
 
 namespace aisle {
@@ -24,7 +25,7 @@ constexpr double kWrong_m = 0.5;  // farther from the truth, a found place is a 
 constexpr double kWrong_rad = 10 * kDegree;
 constexpr double kSoon_s = 30;
 constexpr double kSoon_m = 3;
-constexpr double kPassable_m = 0.3;  // radius of what must get through, for floor to count as reached
+constexpr double kAhead_m = 1.2;  // space to set off without seeing what is behind it
 
 /// One vehicle, put down somewhere, until it is found or gives up.
 Json find_once(const PlaceFinderParams& params, const SimulationSetting& setting, const Building& known,
@@ -127,17 +128,15 @@ Result<Json> localise_seed(const TrialOptions& options, const PlaceFinderParams&
     return Problem{{vehicle, 0, "scanner"}, "is missing: the vehicle cannot see walls"};
   const auto start = start_in(*setting);
   if (!start) return start.problems();
-  const Footprint& footprint = setting->vehicle.description.footprint;
-  const FreeFloor floor(obstacles_below(setting->world, footprint.height_m), start->position(), kPassable_m);
+  const auto T_world_start = random_start(*setting, kAhead_m, seed);
+  if (!T_world_start) return T_world_start.problems();
   const FreeFloor seen(cross_section(setting->world, setting->vehicle.simulated.scanner.height_m),
                        start->position(), 0.03);
-  Random random(seed ^ 0x10ca1);
-  const Pose2 T_world_start = random_pose(*setting, floor, *start, random);
   const Result<Building> known = options.outdated_map
                                      ? outdated_map_of_world(*setting, seen, Random(seed ^ 0x01d), progress)
                                      : building_of_world(*setting, seen);
   if (!known) return known.problems();
-  const Json run = find_once(params, *setting, *known, T_world_start, seed);
+  const Json run = find_once(params, *setting, *known, *T_world_start, seed);
   return Json{{"ok", is_found_soon(run)}, {"run", run}};
 }
 

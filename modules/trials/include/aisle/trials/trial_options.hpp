@@ -35,6 +35,7 @@ struct TrialOptions {
   std::optional<double> speed_mps;
   std::optional<double> lift_m;  ///< kidnap: the vehicle is put so far ahead or back on its path (landmarks)
   double noise_scale = 1;        ///< factor on the odometry's errors (explore)
+  bool starts_anywhere = false;  ///< at a random pose in place of the world's start (explore)
   bool in_reverse = false;
   bool close = false;         ///< turnings: pairs that are too close for the vehicle
   bool outdated_map = false;  ///< localise: in a map with 5 % of walls missing and furniture moved

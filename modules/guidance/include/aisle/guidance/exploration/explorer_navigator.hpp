@@ -95,10 +95,14 @@ class ExplorerNavigator final : public Navigator {
   void search_again();
   void advance_search();
   bool may_end_at_home(const Pose2& T_map_from) const;
+  Path trail_in() const;
+  bool is_roomy(const Pose2& T_map) const;
   void keep_off_what_blocks();
   bool was_worth_it() const;
   void take_path();
+  void take_probe(const Path& found);
   void find_no_path();
+  bool may_probe() const;
   bool is_shut_in() const;
   bool is_target_shut_off() const;
   void count_failure();
@@ -139,6 +143,7 @@ class ExplorerNavigator final : public Navigator {
   SearchDue search_due_ = SearchDue::kNo;
   Vec2 p_map_searched_ = Vec2::Zero();  ///< the frontier of the last search
   double searched_m2_ = 0;              ///< free floor when that search began
+  bool is_where_put_ = true;            ///< the vehicle has not left where it was put
   bool is_wedged_ = false;              ///< that search found no path away from where the vehicle stands
   PathEnd path_end_ = PathEnd::kElsewhere;
   int last_retreats_ = 0;  ///< retreats made as a last resort

@@ -4,8 +4,7 @@
 
 namespace aisle {
 
-/// Plans paths back to the start pose. They end straight where there is space for it, so that the vehicle
-/// stops exactly as it stood at the start.
+/// Plans paths back to the start pose.
 class HomeSearch {
  public:
   static constexpr double kNear_m = 1.5;  ///< a pose within both limits is near home
@@ -18,23 +17,23 @@ class HomeSearch {
   HomeSearch(const HomeSearch&) = delete;
   HomeSearch& operator=(const HomeSearch&) = delete;
 
+  /// A straight last metre of a path, so that the vehicle stops exactly as it stood at the start: from the
+  /// side where the vehicle is, if there is space; else from the other side. Empty: neither.
+  Path straight_in(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from) const;
   /// Begins the search for a path that ends exactly at home, or for the next stage of it.
-  void look_for(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from);
+  /// @param way_in  the last part of the path, which ends at home; empty: that is searched, too
+  void look_for(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from, Path way_in);
   /// Begins the search for a path that ends near home.
   void look_for_near(const KnownFloor& floor, const Pose2& T_map_home, const Pose2& T_map_from);
 
   /// Whether the path found or searched for ends exactly at home.
   bool leads_home() const { return is_exact_ && !search_.is_stage(); }
-  /// The path found, with its straight end. Empty: the vehicle is there already.
+  /// The path found, with its last part. Empty: the vehicle is there already.
   Path path() const;
 
  private:
-  Arc run_in(const KnownFloor& floor, const Pose2& T_map_from) const;
-  Pose2 T_map_run_in() const { return T_map_home_ * end_pose(run_in_).inverse(); }
-
   StagedSearch& search_;
-  Pose2 T_map_home_;
-  Arc run_in_;  ///< the straight end of the path
+  Path way_in_;
   bool is_exact_ = false;
 };
 

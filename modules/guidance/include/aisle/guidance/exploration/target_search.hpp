@@ -10,8 +10,9 @@ namespace aisle {
 struct TargetTries {
   static constexpr int kFailuresNear = 2;
 
-  int paths = 0;     ///< driven without settling it
-  int failures = 0;  ///< searches without a path
+  int paths = 0;       ///< driven without settling it
+  int failures = 0;    ///< searches without a path
+  bool probe = false;  ///< the present search may cross unknown floor, where the vehicle was put
 
   /// The vehicle cannot get near, not even with relaxed clearance: it looks from farther away.
   bool look_from_afar() const { return failures >= kFailuresNear; }
@@ -35,8 +36,9 @@ class TargetSearch {
   TargetSearch& operator=(const TargetSearch&) = delete;
 
   /// Begins the search for a path from a pose. A path home ends exactly there, or near it.
+  /// @param trail_in  the vehicle's own trail into its first pose, as it left it; empty: there is none
   void look_for(const ExploringTarget& target, const Pose2& T_map_from, const TargetTries& tries,
-                bool exactly_home);
+                bool exactly_home, const Path& trail_in);
   /// For the search for a frontier that was begun; see StagedSearch.
   void search_from_ends_too(const TargetTries& tries);
   /// Updates the frontier that is searched for.
@@ -44,13 +46,15 @@ class TargetSearch {
 
   /// Whether the path found or searched for ends exactly at home.
   bool leads_home() const { return goes_home_ && home_search_.leads_home(); }
+  /// Length of the path's last part that leads along the vehicle's own trail.
+  double trail_m() const { return leads_home() ? trail_m_ : 0; }
   /// The path found. Empty: the vehicle is there already.
   Path path() const { return goes_home_ ? home_search_.path() : search_.path(); }
 
  private:
   void look_into_frontier(const Pose2& T_map_from, const TargetTries& tries);
   void look_for_crossing(const Vec2& p_map_crossing, const Pose2& T_map_from);
-  void look_for_home(const Pose2& T_map_from, bool exactly);
+  void look_for_home(const Pose2& T_map_from, const TargetTries& tries, const Path& trail_in);
   double look_from_m(const TargetTries& tries) const;
 
   StagedSearch& search_;
@@ -60,6 +64,7 @@ class TargetSearch {
   HomeSearch home_search_;
   Frontier frontier_;
   bool goes_home_ = false;
+  double trail_m_ = 0;  ///< of a path home: its last part, along the trail
 };
 
 }  // namespace aisle

@@ -67,6 +67,10 @@ class CarSearch {
   /// there is no path otherwise, as both make the path harder to follow.
   void relax_clearance() { relaxes_clearance_ = true; }
 
+  /// For the search that was begun: within 2 m of where it begins, floor counts as free unless it is known to
+  /// be occupied. For a vehicle that has not seen the floor beside and behind it yet.
+  void cross_unknown() { crosses_unknown_ = true; }
+
   /// Goes on for up to `expansions` poses; fewer where one takes longer.
   State advance(const KnownFloor& floor, int expansions);
 
@@ -122,6 +126,7 @@ class CarSearch {
   bool is_found(const Node& node) const;
   void expand(const KnownFloor& floor, std::size_t node);
   void try_move(const KnownFloor& floor, std::size_t from, const Move& move);
+  bool fits_leaving(const KnownFloor& floor, const Pose2& T_map, double clearance_m, double enough_m) const;
   std::optional<double> least_clearance_m(const KnownFloor& floor, const Pose2& T_map_from,
                                           std::span<const Pose2> T_from_passed) const;
   static bool may_drive(const KnownFloor& floor, const Pose2& T_map_from,
@@ -146,6 +151,7 @@ class CarSearch {
   RelaxedClearance leave_clearance_;  ///< at that pose
   std::optional<LegDirection> forbidden_first_;
   bool relaxes_clearance_ = false;
+  bool crosses_unknown_ = false;
   std::function<bool(const Pose2&)> is_free_;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> bins_;

@@ -56,6 +56,12 @@ class FootprintClearance {
     return lies_on(floor, T_map_vehicle,
                    [&](FloorCell cell) { return floor.grid().at(cell) != Floor::kOccupied; });
   }
+  /// Whether each part of it lies on floor that is free or was never seen.
+  bool lies_on_free_or_unknown(const KnownFloor& floor, const Pose2& T_map_vehicle) const {
+    return lies_on(floor, T_map_vehicle, [&](FloorCell cell) {
+      return floor.grid().at(cell) == Floor::kUnknown || floor.is_free(cell);
+    });
+  }
 
   /// How far the vehicle fits along a path from `from_m` on, where need be barely, with clearance `least`; at
   /// most to the path's end.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -39,10 +40,11 @@ class PathDriver {
   /// Path left to its end; 0 without a path.
   double left_m() const { return has_path() ? path_.length_m() - progress_->point().along_m : 0; }
 
-  /// @param path  not empty; begins where the present path ends, or at the vehicle
-  void take(const Path& path);
-  /// Drives back along the vehicle's own trail: only occupied floor under its footprint, or present laser
-  /// returns, stop it.
+  /// @param path     not empty; begins where the present path ends, or at the vehicle
+  /// @param trail_m  the last part of it leads along the vehicle's own trail: only occupied floor under its
+  ///                 footprint, or present laser returns, stop it there
+  void take(const Path& path, double trail_m = 0);
+  /// Drives back along the vehicle's own trail.
   void take_trail(const Path& path);
   /// Keeps at most `ahead_m` of the path ahead, and no more than the present leg.
   void shorten(double ahead_m);
@@ -61,6 +63,9 @@ class PathDriver {
              const Pose2& T_map_vehicle, double steering_rad);
 
  private:
+  static constexpr double kNoTrail_m = std::numeric_limits<double>::infinity();
+
+  bool is_on_trail() const { return progress_->point().along_m >= trail_from_m_; }
   bool is_free(const KnownFloor& floor, const Pose2& T_map_vehicle, const Command& command,
                double steering_rad) const;
   std::optional<double> wheels_to_turn_rad(const PathPoint& point, double followed_rad, double steering_rad);
@@ -71,7 +76,7 @@ class PathDriver {
   BrakingClearance braking_;
   PathFollower follower_;
   Path path_;
-  bool is_on_trail_ = false;
+  double trail_from_m_ = kNoTrail_m;  ///< along the path
   std::optional<PathProgress> progress_;
   std::size_t leg_begun_ = 0;  ///< end of the leg for which the wheels were turned last
 };

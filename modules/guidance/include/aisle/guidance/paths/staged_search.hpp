@@ -33,6 +33,7 @@ class StagedSearch {
   void keep_to(const std::function<bool(const Pose2& T_map_vehicle)>& is_free);
   void forbid_first(std::optional<LegDirection> direction);
   void relax_clearance();
+  void cross_unknown();
   CarSearch::State advance(const KnownFloor& floor, int expansions);
   void stop();
 
