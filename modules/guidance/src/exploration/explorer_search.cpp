@@ -95,6 +95,7 @@ bool ExplorerNavigator::may_end_at_home(const Pose2& T_map_from) const {
 
 /// Into its first pose, as it left it.
 Path ExplorerNavigator::trail_in() const {
+  if (target_->kind != ExploringTarget::Kind::kHome) return {};
   return trail_.path_to_begin(learner_.T_map_home(), learner_.T_map_vehicle(), kTrailIn_m,
                               [this](const Pose2& T_map) { return is_roomy(T_map); });
 }
@@ -150,7 +151,7 @@ bool ExplorerNavigator::may_probe() const {
 /// Either no path leads to the target, or none leads away from where the vehicle stands; that does not count
 /// against the target.
 void ExplorerNavigator::find_no_path() {
-  is_wedged_ = !target_search_.leads_home() && search_.reached_m() < kWedged_m;
+  is_wedged_ = !search_.is_from_the_end() && search_.reached_m() < kWedged_m;
   search_.stop();
   arrived_cycle_ = cycle_;
   tries_.probe = may_probe();

@@ -82,6 +82,8 @@ class CarSearch {
   /// The path found. Empty: the vehicle is there already.
   Path path() const;
   int expansions() const { return expansions_; }
+  /// Whether it searches backwards: how far it has come says nothing about the vehicle's surroundings then.
+  bool is_from_the_end() const { return from_the_end_; }
   /// All poses that can be reached were tried.
   bool has_tried_all() const { return queue_.empty() && !has_ends_left(); }
   /// Whether both searches have reached some pose.

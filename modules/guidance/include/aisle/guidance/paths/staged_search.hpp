@@ -41,6 +41,7 @@ class StagedSearch {
   const FootprintClearance& footprint_clearance() const { return search_.footprint_clearance(); }
   Path path() const { return is_found_from_ends() ? from_ends_.path() : search_.path(); }
   int expansions() const { return search_.expansions(); }
+  bool is_from_the_end() const { return search_.is_from_the_end(); }
   double reached_m() const { return search_.reached_m(); }
   bool has_tried_all() const { return search_.has_tried_all(); }
   bool has_come_to(const Vec2& p_map, double within_m) const { return search_.has_come_to(p_map, within_m); }
