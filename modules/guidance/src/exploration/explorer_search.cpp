@@ -142,8 +142,7 @@ void ExplorerNavigator::take_probe(const Path& found) {
   become(ExploringEvent::kProbeFound);
 }
 
-/// A vehicle that was put across a corridor has seen the floor before its front only, and cannot turn on
-/// that.
+/// A vehicle that was put across a corridor may have seen too little floor to turn on.
 bool ExplorerNavigator::may_probe() const {
   return is_where_put_ && tries_.failures > 0 && !tries_.probe && !driver_.has_path();
 }

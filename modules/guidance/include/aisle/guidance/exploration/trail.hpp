@@ -33,9 +33,8 @@ class Trail {
 
   /// The trail's first part, driven back to where it began.
   /// @param T_map_begin  where the trail began, by what is known now
-  /// @param away_m       the path begins where the vehicle is, if that is on the trail and nearer than this
-  /// to
-  ///                     its beginning; else farther away ...
+  /// @param away_m       nearer than this to its beginning the path begins where the vehicle is, if that is
+  ///                     on the trail; else farther away ...
   /// @param is_roomy     ... where there is enough clearance
   /// @return empty if the trail has no such pose
   Path path_to_begin(const Pose2& T_map_begin, const Pose2& T_map_vehicle, double away_m,
