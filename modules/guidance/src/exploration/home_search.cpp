@@ -48,7 +48,7 @@ void HomeSearch::look_for_near(const KnownFloor& floor, const Pose2& T_map_home,
 }
 
 Path HomeSearch::path() const {
-  const Path found = search_.path();
+  Path found = search_.path();
   if (!leads_home() || way_in_.empty()) return found;
   std::vector<PathPiece> pieces;
   Pose2 T_map_end = found.empty() ? way_in_.pieces().front().T_map_start : found.end();
