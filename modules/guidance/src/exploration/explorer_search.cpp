@@ -126,8 +126,9 @@ void ExplorerNavigator::take_path() {
               : search_.is_stage()        ? PathEnd::kStage
                                           : PathEnd::kElsewhere;
   search_.stop();
+  const bool probes = std::exchange(tries_.probe, false);
   if (found.empty()) return arrive();
-  if (std::exchange(tries_.probe, false)) return take_probe(found);
+  if (probes) return take_probe(found);
   if (target_->kind == ExploringTarget::Kind::kPath)
     retry_budget_.allow(timer_.now_s(), learner_.path_m(), found.length_m());
   driver_.take(found, target_search_.trail_m());

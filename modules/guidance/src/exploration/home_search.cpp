@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "aisle/core/angle.hpp"
 
@@ -48,15 +47,7 @@ void HomeSearch::look_for_near(const KnownFloor& floor, const Pose2& T_map_home,
 }
 
 Path HomeSearch::path() const {
-  Path found = search_.path();
-  if (!leads_home() || way_in_.empty()) return found;
-  std::vector<PathPiece> pieces;
-  Pose2 T_map_end = found.empty() ? way_in_.pieces().front().T_map_start : found.end();
-  for (const PathPiece& piece : way_in_.pieces()) {
-    pieces.push_back({T_map_end, piece.arc});
-    T_map_end = pieces.back().end();
-  }
-  return found.followed_by(Path(std::move(pieces)));
+  return leads_home() ? search_.path().followed_by(way_in_) : search_.path();
 }
 
 bool stands_at_home(const Pose2& T_map_home, const Pose2& T_map_vehicle) {

@@ -1,6 +1,8 @@
 #include "aisle/guidance/exploration/trail.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "aisle/core/angle.hpp"
@@ -83,18 +85,19 @@ Path Trail::path_back(const Pose2& T_map_vehicle, double path_m,
 
 Path Trail::path_to_begin(const Pose2& T_map_begin, const Pose2& T_map_vehicle, double away_m,
                           const std::function<bool(const Pose2&)>& is_roomy) const {
-  std::vector<Pose2> T_map_marks;
-  for (const Mark& mark : marks_) {
-    const Pose2 T_begin_mark = between(marks_.front().T_map_vehicle, mark.T_map_vehicle);
-    T_map_marks.push_back(T_map_begin * T_begin_mark);
-    const bool is_near = T_begin_mark.position().norm() < away_m;
-    if (is_near ? is_at(T_map_vehicle, T_map_marks.back()) : is_roomy(T_map_marks.back())) break;
-    if (T_map_marks.size() == marks_.size()) return {};
-  }
+  const auto T_map_of = [&](const Mark& mark) {
+    return T_map_begin * between(marks_.front().T_map_vehicle, mark.T_map_vehicle);
+  };
+  const auto from = std::find_if(marks_.begin(), marks_.end(), [&](const Mark& mark) {
+    const Pose2 T_map_mark = T_map_of(mark);
+    const bool is_near = (T_map_mark.position() - T_map_begin.position()).norm() < away_m;
+    return is_near ? is_at(T_map_vehicle, T_map_mark) : is_roomy(T_map_mark);
+  });
+  if (from == marks_.end()) return {};
   std::vector<PathPiece> pieces;
-  Pose2 T_map_end = T_map_marks.empty() ? T_map_begin : T_map_marks.back();
-  for (auto T_map_mark = T_map_marks.rbegin(); T_map_mark != T_map_marks.rend(); ++T_map_mark)
-    T_map_end = go_on_to(*T_map_mark, T_map_end, pieces);
+  Pose2 T_map_end = T_map_of(*from);
+  for (auto mark = std::make_reverse_iterator(from); mark != marks_.rend(); ++mark)
+    T_map_end = go_on_to(T_map_of(*mark), T_map_end, pieces);
   return Path(std::move(pieces));
 }
 
