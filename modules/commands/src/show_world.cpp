@@ -9,6 +9,7 @@
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
+#include "aisle/geometry/box2.hpp"
 #include "aisle/geometry/polyline.hpp"
 #include "aisle/report/world_picture.hpp"
 #include "aisle/simulation/cross_section.hpp"
@@ -33,12 +34,7 @@ double wall_length_m(const World& world) {
 
 Vec2 size_m(const World& world) {
   if (world.walls.empty()) return Vec2::Zero();
-  Vec2 low = world.walls[0].floor_edge.start, high = low;
-  for (const WallFace& wall : world.walls) {
-    low = low.cwiseMin(wall.floor_edge.start).cwiseMin(wall.floor_edge.end);
-    high = high.cwiseMax(wall.floor_edge.start).cwiseMax(wall.floor_edge.end);
-  }
-  return high - low;
+  return box_around(world.walls, &WallFace::floor_edge).sizes();
 }
 
 std::optional<Vec2> start_of(const World& world) {

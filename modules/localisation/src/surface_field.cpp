@@ -1,9 +1,10 @@
 #include "aisle/localisation/surface_field.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "aisle/geometry/box2.hpp"
 
 namespace aisle {
 namespace {
@@ -14,9 +15,8 @@ constexpr double kSurfaceCell_m = 0.7 * SurfaceField::kCell_m;  // of the cells 
 constexpr double kCarried_m = 1;  // what is smaller than this can be carried away
 constexpr std::size_t kCellsMax = 200'000'000;
 
-Eigen::AlignedBox2d box_of(const Building& building) {
-  Eigen::AlignedBox2d box;
-  for (const Wall& wall : building.walls.walls) box.extend(wall.segment.start).extend(wall.segment.end);
+Box2 box_of(const Building& building) {
+  Box2 box = box_around(building.walls.walls, &Wall::segment);
   if (building.floor && !building.floor->known().empty()) {
     const FloorBox& known = building.floor->known();
     box.extend(building.floor->centre(known.low)).extend(building.floor->centre(known.end));
@@ -41,7 +41,7 @@ SurfaceField::SurfaceField(const Building& building) {
 }
 
 void SurfaceField::size_grid(const Building& building) {
-  const Eigen::AlignedBox2d box = box_of(building);
+  const Box2 box = box_of(building);
   if (box.isEmpty()) throw std::invalid_argument("a building to be found in needs walls or a floor");
   p_map_corner_ = box.min().array() - kMargin_m;
   const Vec2 cells = (box.sizes().array() + 2 * kMargin_m) / kCell_m;
@@ -134,7 +134,7 @@ void SurfaceField::mark_fixed() {
   for (std::size_t cell = 0; cell < nearest_.size(); ++cell) {
     const std::vector<std::size_t> thing = connected_surface(cell, is_visited);
     if (thing.empty()) continue;
-    Eigen::AlignedBox2d box;
+    Box2 box;
     for (const std::size_t part : thing) {
       const std::size_t row = part / static_cast<std::size_t>(columns_);
       const std::size_t column = part % static_cast<std::size_t>(columns_);

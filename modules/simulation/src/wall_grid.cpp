@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "aisle/geometry/box2.hpp"
+
 namespace aisle {
 namespace {
 
@@ -48,14 +50,10 @@ WallGrid::WallGrid(std::vector<Segment2> walls) : walls_(std::move(walls)) {
 
 void WallGrid::size_grid() {
   if (walls_.empty()) return;
-  Vec2 low = walls_.front().start, high = low;
-  for (const Segment2& wall : walls_) {
-    low = low.cwiseMin(wall.start).cwiseMin(wall.end);
-    high = high.cwiseMax(wall.start).cwiseMax(wall.end);
-  }
-  const Vec2 size = high - low + Vec2::Constant(2 * kCellSlack_m);
+  const Box2 box = box_around(walls_);
+  const Vec2 size = box.sizes() + Vec2::Constant(2 * kCellSlack_m);
   cell_m_ = std::max(kCellMin_m, size.maxCoeff() / kSideMax);
-  corner_ = low - Vec2::Constant(kCellSlack_m);
+  corner_ = box.min() - Vec2::Constant(kCellSlack_m);
   columns_ = static_cast<int>(size.x() / cell_m_) + 1;
   rows_ = static_cast<int>(size.y() / cell_m_) + 1;
 }

@@ -1,8 +1,7 @@
 #include "random_start.hpp"
 
-#include <Eigen/Geometry>
-
 #include "aisle/core/random.hpp"
+#include "aisle/geometry/box2.hpp"
 #include "aisle/simulation/cross_section.hpp"
 #include "aisle/simulation/paths/free_floor.hpp"
 
@@ -20,9 +19,7 @@ Result<Pose2> random_start(const SimulationSetting& setting, double ahead_m, std
   if (!start) return start.problems();
   Footprint needed = setting.vehicle.description.footprint;
   const FreeFloor floor(obstacles_below(setting.world, needed.height_m), start->position(), kPassable_m);
-  Eigen::AlignedBox2d box;
-  for (const Segment2& seen : cross_section(setting.world, setting.vehicle.simulated.scanner.height_m))
-    box.extend(seen.start).extend(seen.end);
+  const Box2 box = box_around(cross_section(setting.world, setting.vehicle.simulated.scanner.height_m));
   needed.front_m += ahead_m;
   needed.rear_m += kBeside_m;
   needed.width_m += 2 * kBeside_m;

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/geometry/box2.hpp"
 #include "aisle/simulation/cross_section.hpp"
 #include "aisle/simulation/paths/clearance_grid.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
@@ -19,15 +19,8 @@ constexpr double kNearStart_m = 0.5;
 constexpr int kRays = 72;
 constexpr double kOutsideShare = 0.4;  ///< share of rays without a hit from which on a place is outside
 
-Eigen::AlignedBox2d box_of(const std::vector<Segment2>& obstacles) {
-  Eigen::AlignedBox2d box;
-  for (const Segment2& obstacle : obstacles) box.extend(obstacle.start).extend(obstacle.end);
-  return box;
-}
-
 /// Clearance as far out of the rectangle as the vehicle is wide: a grid is closed at its edge.
-ClearanceGrid clearance_around(std::vector<Segment2> obstacles, const Eigen::AlignedBox2d& box,
-                               double width_m) {
+ClearanceGrid clearance_around(std::vector<Segment2> obstacles, const Box2& box, double width_m) {
   const Vec2 beyond = Vec2::Constant(width_m + 0.5), low = box.min() - beyond, high = box.max() + beyond;
   obstacles.push_back({low, low});
   obstacles.push_back({high, high});
@@ -35,7 +28,7 @@ ClearanceGrid clearance_around(std::vector<Segment2> obstacles, const Eigen::Ali
 }
 
 /// The shortest path of cells from a place out of the rectangle; empty if there is none.
-std::vector<Vec2> path_out(const ClearanceGrid& grid, const Eigen::AlignedBox2d& box, const Vec2& start,
+std::vector<Vec2> path_out(const ClearanceGrid& grid, const Box2& box, const Vec2& start,
                            double clearance_m) {
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> came_from(grid.size(), kNone), open;
@@ -75,7 +68,7 @@ std::optional<Vec2> opening_of(const World& world, const VehicleDescription& veh
                                const Vec2& p_world_start) {
   const std::vector<Segment2> obstacles = obstacles_below(world, vehicle.footprint.height_m);
   if (obstacles.empty()) return p_world_start;
-  const Eigen::AlignedBox2d box = box_of(obstacles);
+  const Box2 box = box_around(obstacles);
   if (!box.contains(p_world_start)) return p_world_start;
   const double width_m = vehicle.footprint.width_m;
   const ClearanceGrid grid = clearance_around(obstacles, box, width_m);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/geometry/box2.hpp"
+
 namespace aisle {
 namespace {
 
@@ -14,14 +16,10 @@ constexpr double kMarksPerCell = 2;  ///< along a ray
 
 SensorView::SensorView(std::span<const Segment2> walls)
     : grid_(std::vector<Segment2>(walls.begin(), walls.end())) {
-  Vec2 low = walls.front().start, high = low;
-  for (const Segment2& wall : walls) {
-    low = low.cwiseMin(wall.start).cwiseMin(wall.end);
-    high = high.cwiseMax(wall.start).cwiseMax(wall.end);
-  }
-  const Vec2 size_m = high - low;
+  const Box2 box = box_around(walls);
+  const Vec2 size_m = box.sizes();
   cell_m_ = std::max(cell_m_, std::sqrt(size_m.x() * size_m.y() / kViewCellsMax));
-  corner_ = low - Vec2::Constant(2 * cell_m_);
+  corner_ = box.min() - Vec2::Constant(2 * cell_m_);
   columns_ = static_cast<long>(std::ceil(size_m.x() / cell_m_)) + 4;
   rows_ = static_cast<long>(std::ceil(size_m.y() / cell_m_)) + 4;
   marks_.resize(static_cast<std::size_t>(columns_ * rows_));

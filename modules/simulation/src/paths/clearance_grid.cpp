@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "aisle/geometry/box2.hpp"
+
 namespace aisle {
 namespace {
 
@@ -15,16 +17,12 @@ constexpr double kHalfDiagonal = 0.7072;  ///< cells: how far an obstacle may be
 
 ClearanceGrid::ClearanceGrid(std::span<const Segment2> obstacles, double cell_m) : cell_m_(cell_m) {
   if (obstacles.empty()) throw std::invalid_argument("ClearanceGrid: no obstacles");
-  Vec2 min = obstacles[0].start, max = min;
-  for (const Segment2& s : obstacles) {
-    min = min.cwiseMin(s.start).cwiseMin(s.end);
-    max = max.cwiseMax(s.start).cwiseMax(s.end);
-  }
-  const Vec2 span = max - min + Vec2::Constant(4 * cell_m);
+  const Box2 box = box_around(obstacles);
+  const Vec2 span = box.sizes() + Vec2::Constant(4 * cell_m);
   cell_m_ = std::max(cell_m, std::sqrt(span.x() * span.y() / kClearanceCellsMax));
-  corner_ = min - Vec2::Constant(2 * cell_m_);
-  columns_ = static_cast<int>(std::ceil((max.x() - corner_.x()) / cell_m_)) + 2;
-  rows_ = static_cast<int>(std::ceil((max.y() - corner_.y()) / cell_m_)) + 2;
+  corner_ = box.min() - Vec2::Constant(2 * cell_m_);
+  columns_ = static_cast<int>(std::ceil((box.max().x() - corner_.x()) / cell_m_)) + 2;
+  rows_ = static_cast<int>(std::ceil((box.max().y() - corner_.y()) / cell_m_)) + 2;
 
   cv::Mat free(rows_, columns_, CV_8U, cv::Scalar(1));
   cv::rectangle(free, {0, 0, columns_, rows_}, cv::Scalar(0));  // nobody knows what is beyond

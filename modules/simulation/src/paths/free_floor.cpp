@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "aisle/geometry/box2.hpp"
+
 namespace aisle {
 namespace {
 
@@ -27,14 +29,10 @@ double distance_m(const Segment2& a, const Segment2& b) {
 }  // namespace
 
 FreeFloor::FreeFloor(std::span<const Segment2> obstacles, const Vec2& start, double radius_m) {
-  Vec2 low = start, high = start;
-  for (const Segment2& s : obstacles) {
-    low = low.cwiseMin(s.start).cwiseMin(s.end);
-    high = high.cwiseMax(s.start).cwiseMax(s.end);
-  }
+  const Box2 box = box_around(obstacles).extend(start);
   const Vec2 margin = Vec2::Constant(radius_m + cell_m_);
-  corner_ = low - margin;
-  const Vec2 size_m = high + margin - corner_;
+  corner_ = box.min() - margin;
+  const Vec2 size_m = box.max() + margin - corner_;
   cell_m_ = std::max(cell_m_, std::sqrt(size_m.x() * size_m.y() / kFloorCellsMax));
   columns_ = static_cast<long>(std::ceil(size_m.x() / cell_m_));
   rows_ = static_cast<long>(std::ceil(size_m.y() / cell_m_));

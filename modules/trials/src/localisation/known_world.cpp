@@ -1,6 +1,5 @@
 #include "localisation/known_world.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "aisle/commands/known_building.hpp"
+#include "aisle/geometry/box2.hpp"
 #include "aisle/simulation/cross_section.hpp"
 
 namespace aisle {
@@ -18,14 +18,6 @@ constexpr double kMargin_m = 0.5;
 constexpr double kMissingShare = 0.05;  // of the walls' length
 constexpr double kMissing_m = 1;        // in pieces of this length
 constexpr double kMoved_m = 0.5;        // standard deviation of where furniture stood before
-
-using Box = Eigen::AlignedBox2d;
-
-Box box_of(std::span<const Segment2> segments) {
-  Box box;
-  for (const Segment2& segment : segments) box.extend(segment.start).extend(segment.end);
-  return box;
-}
 
 std::vector<Segment2> seen_in(const World& world, const SimulationSetting& setting) {
   return cross_section(world, setting.vehicle.simulated.scanner.height_m);
@@ -55,7 +47,7 @@ World with_moved_furniture(World world, Random& random) {
 
 /// The plan that a mapping program would have made: occupied along what was hit, free where one can get.
 PlanReading drawn(std::span<const Segment2> segments, const FreeFloor& floor) {
-  const Box box = box_of(segments);
+  const Box2 box = box_around(segments);
   const Vec2 cells = (box.sizes().array() + 2 * kMargin_m) / kCell_m;
   PlanReading map{FloorPlan(static_cast<int>(cells.x()), static_cast<int>(cells.y()), 1), {}};
   FloorPlan& plan = map.plan;
@@ -90,7 +82,7 @@ Building building_of_world(const SimulationSetting& setting, const FreeFloor& fl
   const std::vector<Segment2> segments = seen_in(setting.world, setting);
   for (const Segment2& segment : segments) building.walls.walls.push_back({.segment = segment});
   building.floor = FloorGrid(kCell_m);
-  const Box box = box_of(segments);
+  const Box2 box = box_around(segments);
   const FloorCell low = building.floor->cell_at(box.min()), high = building.floor->cell_at(box.max());
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) {
