@@ -99,6 +99,17 @@ TEST_F(Explore, ATrialCountsWhatIsCompleteAndWhatHasACertificate) {
   EXPECT_EQ(too_brief["certificate_share"], 0);
 }
 
+TEST_F(Explore, ATrialThatStartsAnywhereIsRefusedWhereTheVehicleHasNoSpaceForThat) {
+  const std::string world = file("narrow.yaml",
+                                 "format: aisle.world\nversion: 1\nname: narrow\n"
+                                 "walls: [[[0, 0], [2.4, 0], [2.4, 0.8], [0, 0.8], [0, 0]]]\n"
+                                 "start: {at: [0.6, 0.4], heading_deg: 0}\n");
+  const std::string why = world + ": walls: leave no space for a random start";
+  EXPECT_THAT(run_aisle({"trial", "explore", "--start-anywhere", "--world", world, "--json"}),
+              IsRefused(why));
+  EXPECT_THAT(run_aisle({"trial", "localise", "--world", world, "--json"}), IsRefused(why));
+}
+
 /// At a half-open door the search found paths out, but each was blocked at its start until the retry budget
 /// was spent.
 TEST_F(Explore, AVehicleThatIsBlockedOnEveryPathOutBacktracks) {
