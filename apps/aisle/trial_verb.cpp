@@ -1,10 +1,16 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <charconv>
 #include <functional>
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "aisle/commands/method.hpp"
 #include "aisle/trials/trial.hpp"
 #include "examples.hpp"
 #include "option_kinds.hpp"
@@ -41,6 +47,54 @@ std::vector<std::string> words_of(const CLI::App& verb, const std::set<const CLI
   return words;
 }
 
+/// An option that not every method uses.
+struct MethodOption {
+  std::string option;
+  std::vector<std::string_view> methods;  ///< that use it
+
+  bool is_used_by(std::string_view method) const {
+    return std::find(methods.begin(), methods.end(), method) != methods.end();
+  }
+};
+
+const std::vector<MethodOption>& method_options() {
+  static const std::vector<MethodOption> options = {
+      {"--world", {"landmarks", "sections", "rooms", "park", "explore", "localise"}},
+      {"--resolution", {"landmarks", "sections", "explore", "localise"}},
+      {"--kind", {"landmarks", "sections", "explore", "localise"}},
+      {"--sensor", {"explore"}},
+      {"--speed", {"landmarks", "sections", "rooms", "turnings", "park"}},
+      {"--strategy", {"park"}},
+      {"--teachings", {"sections"}},
+      {"--refinements", {"landmarks"}},
+      {"--noise-scale", {"explore"}},
+      {"--start-anywhere", {"explore"}},
+      {"--lift", {"landmarks"}},
+      {"--reverse", {"landmarks", "park"}},
+      {"--outdated-map", {"localise"}},
+      {"--close", {"turnings"}}};
+  return options;
+}
+
+/// The help of each such option begins with the methods that use it.
+void name_methods_in_help(CLI::App& verb) {
+  for (const MethodOption& one : method_options()) {
+    CLI::Option* option = verb.get_option(one.option);
+    option->description(fmt::format("{}: {}", fmt::join(one.methods, ", "), option->get_description()));
+  }
+}
+
+/// Throws for an option that the method would ignore. A method that is none is left to the trial.
+void refuse_unused_options(const CLI::App& verb, const std::string& method) {
+  const std::vector<std::string_view> methods = trial_methods();
+  if (std::find(methods.begin(), methods.end(), method) == methods.end()) return;
+  for (const MethodOption& one : method_options()) {
+    if (verb.get_option(one.option)->count() == 0 || one.is_used_by(method)) continue;
+    throw CLI::ValidationError(
+        one.option, fmt::format("is not used by {}, only by {}", method, fmt::join(one.methods, ", ")));
+  }
+}
+
 }  // namespace
 
 const CLI::Option* add_jobs(CLI::App& verb, int& jobs) {
@@ -67,7 +121,7 @@ void add_trial_verb(CLI::App& app, Work& work, const std::function<void(const Tr
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
   verb->add_option("METHOD", options->method,
-                   "what to try: landmarks, sections, rooms, turnings, park, explore or localise");
+                   fmt::format("what to try: {}", fmt::join(trial_methods(), ", ")));
   const CLI::Option* seeds = verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {
@@ -80,7 +134,7 @@ void add_trial_verb(CLI::App& app, Work& work, const std::function<void(const Tr
       "world files (YAML), names of shipped worlds, or floor plans that 'aisle convert' reads; taken in "
       "turn (default: random buildings)");
   add_resolution(*verb, options->plan_pixel_m);
-  add_exploring_sensor(*verb, options->sensor, "explore: sensor to explore with (default scanner)");
+  add_exploring_sensor(*verb, options->sensor, "sensor to explore with (default scanner)");
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML) or name of a shipped vehicle (default alv; mini for sections; "
                    "alv-scanner for explore with the scanner)");
@@ -89,34 +143,33 @@ void add_trial_verb(CLI::App& app, Work& work, const std::function<void(const Tr
       "scenario file (YAML) of faults to inject while driving autonomously, or name of a shipped "
       "scenario (default: no faults)");
   add_choice<ParkingStrategy>(*verb, "--strategy", options->strategy, parking_choices<ParkingStrategy>(),
-                              "park: parking strategy at the end of the routes (default frame)");
+                              "parking strategy at the end of the routes (default frame)");
   verb->add_option("--teachings", options->teachings,
-                   "sections: number of taught runs before the route is driven autonomously (default 1)")
+                   "number of taught runs before the route is driven autonomously (default 1)")
       ->check(CLI::Range(1, 20));
   verb->add_option("--refinements", options->refinements,
-                   "landmarks: runs after the first, each refining the building (default 0)")
+                   "runs after the first, each refining the building (default 0)")
       ->check(CLI::Range(0, 100));
   verb->add_option("--speed", options->speed_mps, "cruising speed [m/s]")->check(CLI::Range(0.05, 5.0));
   Choices<BuildingKind> kinds;
   for (const BuildingKind kind : kBuildingKinds) kinds.emplace_back(name_of(kind), kind);
   add_choice<std::optional<BuildingKind>>(*verb, "--kind", options->kind, {kinds.begin(), kinds.end()},
                                           "kind of random buildings (default: all in turn)");
-  verb->add_option("--noise-scale", options->noise_scale,
-                   "explore: factor on the odometry's errors (default 1)")
+  verb->add_option("--noise-scale", options->noise_scale, "factor on the odometry's errors (default 1)")
       ->check(CLI::Range(0.0, 20.0));
   verb->add_flag("--start-anywhere", options->starts_anywhere,
-                 "explore: start at a random place, with a random heading, in place of the world's start");
+                 "start at a random place, with a random heading, in place of the world's start");
   verb->add_option("--lift", options->lift_m,
-                   "landmarks: kidnap the vehicle once, and put it down so far ahead or back on its path [m]")
+                   "kidnap the vehicle once, and put it down so far ahead or back on its path [m]")
       ->check(CLI::Range(0.5, 100.0));
   verb->add_flag("--reverse", options->in_reverse,
-                 "drive the routes in the opposite direction; park: back into the frame");
-  verb->add_flag(
-      "--outdated-map", options->outdated_map,
-      "localise: in a map of 5 cm cells, made before 5 % of the walls were built and the furniture "
-      "was moved");
+                 "drive the routes in the opposite direction, or back into the parking frame");
+  verb->add_flag("--outdated-map", options->outdated_map,
+                 "in a map of 5 cm cells, made before 5 % of the walls were built and the furniture "
+                 "was moved");
   verb->add_flag("--close", options->close,
-                 "turnings: pairs that are too close for the vehicle, so that it backs up between them");
+                 "pairs that are too close for the vehicle, so that it backs up between them");
+  name_methods_in_help(*verb);
   const CLI::Option* only = verb->add_option(
       "--only", options->only,
       "run one of the trial's missions, by its name, such as 'seed 5': as it would run among all");
@@ -129,6 +182,7 @@ void add_trial_verb(CLI::App& app, Work& work, const std::function<void(const Tr
       verb->add_flag("--force", options->force, "replace the missions that --out holds");
   add_parameter_options(*verb, options->parameters, trial_parameters, work, [=] {
     if (options->method.empty()) throw CLI::RequiredError("METHOD");
+    refuse_unused_options(*verb, present_method(options->method));
     options->words = words_of(*verb, {seeds, only, jobs, out, force});
     options->process = trial_process_from_environment();
     chosen(*options);

@@ -79,6 +79,55 @@ TEST_F(Usage, HelpShowsTheChoices) {
   EXPECT_THAT(help, HasSubstr("--rules published|refined"));
 }
 
+TEST_F(Usage, ATrialRefusesOptionsThatItsMethodDoesNotUse) {
+  const auto trial = [](Arguments arguments) {
+    arguments.insert(arguments.begin(), "trial");
+    arguments.emplace_back("--json");
+    return run_aisle(arguments);
+  };
+  EXPECT_THAT(trial({"park", "--start-anywhere"}),
+              IsRefused("--start-anywhere: is not used by park, only by explore"));
+  EXPECT_THAT(trial({"explore", "--reverse"}),
+              IsRefused("--reverse: is not used by explore, only by landmarks, park"));
+  EXPECT_THAT(trial({"turnings", "--world", "laboratory"}), IsRefused("--world: is not used by turnings"));
+  EXPECT_THAT(trial({"localise", "--speed", "0.3"}), IsRefused("--speed: is not used by localise"));
+  EXPECT_THAT(trial({"route", "--kind", "office"}), IsRefused("--kind: is not used by rooms"));
+}
+
+TEST_F(Usage, AStudyRefusesAVariantWithAnOptionThatItsMethodDoesNotUse) {
+  const std::string study = file("study.yaml",
+                                 "format: aisle.study\nversion: 1\ntrial: explore\nseeds: 1..2\n"
+                                 "variants: [{name: plain}, {name: kidnapped, options: --lift 5}]\n");
+  EXPECT_THAT(run_aisle({"study", study, "--out", at("out"), "--json"}),
+              IsRefused("kidnapped: --lift: is not used by explore, only by landmarks"));
+}
+
+/// No mission has that name, so none is run.
+TEST_F(Usage, ATrialTakesTheOptionsThatItsMethodUses) {
+  const std::vector<Arguments> trials = {
+      {"landmarks", "--world", "l-corridor", "--resolution", "0.1", "--kind", "office", "--speed", "1",
+       "--refinements", "2", "--lift", "5", "--reverse"},
+      {"sections", "--world", "l-corridor", "--resolution", "0.1", "--kind", "ring", "--speed", "0.3",
+       "--teachings", "2"},
+      {"rooms", "--world", "laboratory", "--speed", "0.3"},
+      {"turnings", "--close", "--speed", "0.3"},
+      {"park", "--world", "laboratory", "--strategy", "frame", "--speed", "0.3", "--reverse"},
+      {"explore", "--world", "l-corridor", "--resolution", "0.1", "--kind", "comb", "--sensor", "markers",
+       "--noise-scale", "2", "--start-anywhere"},
+      {"localise", "--world", "l-corridor", "--resolution", "0.1", "--kind", "comb", "--outdated-map"}};
+  for (Arguments trial : trials) {
+    trial.insert(trial.begin(), "trial");
+    trial.insert(trial.end(), {"--only", "none", "--json"});
+    EXPECT_THAT(run_aisle(trial), IsRefused("--only: is none of this trial's missions")) << trial[1];
+  }
+}
+
+TEST_F(Usage, HelpOfATrialSaysWhichMethodsUseAnOption) {
+  const std::string help = run_aisle({"trial", "--help"}).out;
+  EXPECT_THAT(help, HasSubstr("explore: factor on the odometry's errors"));
+  EXPECT_THAT(help, HasSubstr("landmarks, park: drive the routes"));
+}
+
 TEST_F(Usage, ASeedIsAWholeNumberThatIsNotNegative) {
   for (const char* seed : {"-1", "1.5", "red", "99999999999999999999", ""}) {
     EXPECT_THAT(run_aisle({"sim", "log", "world.yaml", "--out", at("out"), "--json", "--seed", seed}),

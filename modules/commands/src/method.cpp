@@ -4,10 +4,14 @@
 
 namespace aisle {
 
+std::string present_method(const std::string& name) {
+  return name == "route" ? kRoomMethod.name : name;
+}
+
 std::string present_method(const std::string& name, Console& console) {
-  if (name != "route") return name;
-  console.warn(fmt::format("the method 'route' is now '{}'", kRoomMethod.name));
-  return kRoomMethod.name;
+  const std::string present = present_method(name);
+  if (present != name) console.warn(fmt::format("the method '{}' is now '{}'", name, present));
+  return present;
 }
 
 Result<const Method*> method_named(const std::string& given, Console& console) {

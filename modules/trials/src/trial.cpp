@@ -56,6 +56,12 @@ constexpr TrialMethod kTrialMethods[] = {
 
 }  // namespace
 
+std::vector<std::string_view> trial_methods() {
+  std::vector<std::string_view> names;
+  for (const TrialMethod& trial : kTrialMethods) names.push_back(trial.name);
+  return names;
+}
+
 Outcome trial_parameters() {
   TrialParams params;
   return parameter_listing("trial", fields_of(params));
@@ -69,9 +75,8 @@ Result<TrialResult> run_recorded_trial(const TrialOptions& options, Console& con
     if (result) result->records.report(options, result->outcome);
     return result;
   }
-  std::vector<std::string_view> names;
-  for (const TrialMethod& trial : kTrialMethods) names.push_back(trial.name);
-  return Problem{{"METHOD"}, fmt::format("'{}' is none of {}", options.method, fmt::join(names, ", "))};
+  return Problem{{"METHOD"},
+                 fmt::format("'{}' is none of {}", options.method, fmt::join(trial_methods(), ", "))};
 }
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {

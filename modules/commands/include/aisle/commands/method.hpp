@@ -40,7 +40,10 @@ extern const Method kLandmarkMethod;
 extern const Method kSectionMethod;
 extern const Method kRoomMethod;
 
-/// The name that a method has now. A former one is warned about.
+/// The name that a method has now.
+std::string present_method(const std::string& name);
+
+/// Likewise; a former name is warned about.
 std::string present_method(const std::string& name, Console& console);
 
 /// By its name, or the one that it had before. An unknown name is a problem that lists the methods.
