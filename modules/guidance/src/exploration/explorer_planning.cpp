@@ -133,7 +133,7 @@ void ExplorerNavigator::leave_path() {
 void ExplorerNavigator::give_up_mission(const std::string& why) {
   drop_path();
   if (!learner_.is_standing()) return;
-  if (++last_retreats_ > kLastRetreatsMax || !(retreat() || back_out())) {
+  if (++last_retreats_ > kLastRetreatsMax || !retreat()) {
     end(NavigatorStatus::kFailed, "stuck", why);
     return;
   }

@@ -16,10 +16,9 @@ constexpr double kStageLeft_m = 2.5;      // left of a stage when the next one i
 constexpr double kShown_m2 = 0.03;        // a path that showed this much more floor was worth driving
 constexpr double kWedged_m = 0.5;         // a search that gets no farther fails because of where it began
 constexpr double kRetreat_m = 3;          // at least, along its trail, before it searches again ...
-constexpr double kBackOut_m = 1;
-constexpr double kRoomy_m = 0.15;  // ... where it has this much more clearance than it needs
-constexpr double kTrailIn_m = 1;   // it goes into its first pose as it left it at least from this far away
-constexpr double kProbe_m = 0.3;   // of path over unknown floor, before it searches again
+constexpr double kRoomy_m = 0.15;         // ... where it has this much more clearance than it needs
+constexpr double kTrailIn_m = 1;  // it goes into its first pose as it left it at least from this far away
+constexpr double kProbe_m = 0.3;  // of path over unknown floor, before it searches again
 
 }  // namespace
 
@@ -196,22 +195,10 @@ bool ExplorerNavigator::retreat() {
   const Path back = trail_.path_back(learner_.T_map_vehicle(), kRetreat_m,
                                      [this](const Pose2& T_map) { return is_roomy(T_map); });
   if (back.empty()) return false;
-  go_back(back);
-  return true;
-}
-
-/// It has no trail yet: it was brought to where it stands, so it goes straight back once, over floor that it
-/// may not see. The bumper stops it at what stands there.
-bool ExplorerNavigator::back_out() {
-  if (last_retreats_ > 1) return false;
-  go_back(Path({{learner_.T_map_vehicle(), {-kBackOut_m, 0}}}));
-  return true;
-}
-
-void ExplorerNavigator::go_back(const Path& back) {
   driver_.take_trail(back);
   become(ExploringEvent::kTrailFound);
   want_search();
+  return true;
 }
 
 }  // namespace aisle

@@ -107,8 +107,6 @@ class ExplorerNavigator final : public Navigator {
   bool is_target_shut_off() const;
   void count_failure();
   bool retreat();
-  bool back_out();
-  void go_back(const Path& back);
 
   // on the path
   void keep_trail(FloorLearner::News news);
