@@ -16,7 +16,9 @@ namespace {
 
 py::dict places_of(const Building& building) {
   py::dict places;
-  for (const MapPlace& place : building.places) places[py::str(place.name)] = array_of(place.T_map_place);
+  for (const auto& [name, T, has_heading] : building.places)
+    places[py::str(name)] =
+        py::make_tuple(T.x, T.y, has_heading ? py::object(py::float_(T.theta)) : py::none());
   return places;
 }
 
@@ -136,7 +138,8 @@ void bind_buildings(py::module_& module) {
             return column_of(self.cast<const Building&>().landmarks.all(), &Landmark::weight, self);
           },
           "(landmarks,): confidence; 1 is the mean.")
-      .def_property_readonly("places", places_of, "{name: (3,) x_m, y_m, heading_rad}.")
+      .def_property_readonly("places", places_of,
+                             "{name: (x_m, y_m, heading_rad)}; heading_rad is None: any heading.")
       .def_property_readonly(
           "routes", routes_of,
           "{name: (poses, 3) x_m, y_m, heading_rad} where the lines and arcs of a taught path meet.")

@@ -46,6 +46,15 @@ class Buildings(unittest.TestCase):
         for poses in building.routes.values():
             self.assertEqual(poses.shape[1], 3)
 
+    def test_have_places_with_and_without_a_heading(self):
+        file = json.loads((GOLDEN / "building_corridors.v3.json").read_text())
+        del file["places"][1]["heading_deg"]
+        (WORK / "places.json").write_text(json.dumps(file))
+        places = aisle.read_building(WORK / "places.json").places
+        self.assertEqual(set(places), {"home", "lift"})
+        np.testing.assert_allclose(places["home"], (0.5, 0.02, np.radians(-1.5)), atol=1e-9)
+        self.assertEqual(places["lift"], (4, 6, None))
+
     def test_are_written_as_they_were_read(self):
         for name in ("building.v3.json", "building_corridors.v3.json", "building_routes.v3.json"):
             building, _ = read(name)

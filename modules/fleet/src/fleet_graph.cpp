@@ -135,7 +135,8 @@ class GraphMaker {
     const auto node = add_node(place.name, p_map);
     if (!node) return;
     join(*nearest, *node);
-    graph_.stations.push_back({place.name, *node, place.T_map_place});
+    const auto heading_rad = place.has_heading ? std::optional(place.T_map_place.theta) : std::nullopt;
+    graph_.stations.push_back({place.name, *node, p_map, heading_rad});
   }
 
   const Building& building_;
@@ -166,12 +167,12 @@ Json lif_edge(const FleetEdge& edge, const FleetGraph& graph) {
 }
 
 Json lif_station(const FleetStation& station, const FleetGraph& graph) {
-  const Pose2& T = station.T_map_station;
-  return {
-      {"stationId", station.name},
-      {"stationName", station.name},
-      {"interactionNodeIds", Json::array({graph.nodes[station.node].id})},
-      {"stationPosition", {{"x", rounded(T.x, 3)}, {"y", rounded(T.y, 3)}, {"theta", rounded(T.theta, 4)}}}};
+  Json position = {{"x", rounded(station.p_map.x(), 3)}, {"y", rounded(station.p_map.y(), 3)}};
+  if (station.heading_rad) position["theta"] = rounded(*station.heading_rad, 4);
+  return {{"stationId", station.name},
+          {"stationName", station.name},
+          {"interactionNodeIds", Json::array({graph.nodes[station.node].id})},
+          {"stationPosition", std::move(position)}};
 }
 
 }  // namespace

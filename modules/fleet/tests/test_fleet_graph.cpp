@@ -13,7 +13,7 @@ Building bent_building() {
   building.name = "hall";
   building.corridors.nodes = {{CorridorNode::Kind::kEnd, {0, 0}}, {CorridorNode::Kind::kEnd, {6, 3}}};
   building.corridors.corridors = {{0, 1, {{0, 0}, {3, 0}, {6, 0}, {6, 3}}, 2}};
-  building.places = {{"desk", {0, 0.8, 0}}, {"vault", {3, 5, 0}}};
+  building.places = {{"desk", {0, 0.8, kPi / 2}}, {"vault", {3, 5, 0}}};
   FloorGrid floor(0.1);
   for (double x = -1; x < 7; x += 0.1) {
     for (double y = -1; y < 4; y += 0.1) floor.set(floor.cell_at({x, y}), Floor::kFree);
@@ -59,6 +59,15 @@ TEST(FleetGraph, IsWrittenAsLif) {
   EXPECT_EQ(layout["nodes"].size(), 5U);
   EXPECT_EQ(layout["edges"][0]["startNodeId"], "end 1");
   EXPECT_EQ(layout["stations"][0]["interactionNodeIds"][0], "desk");
+  EXPECT_EQ(layout["stations"][0]["stationPosition"],
+            nlohmann::json({{"x", 0.0}, {"y", 0.8}, {"theta", 1.5708}}));
+}
+
+TEST(FleetGraph, APlaceWithoutAHeadingIsAStationWithoutOne) {
+  Building building = bent_building();
+  building.places[0] = {.name = "desk", .T_map_place = {0, 0.8, 0}, .has_heading = false};
+  const auto lif = nlohmann::json::parse(lif_json(fleet_graph(building), building, "2026-01-31T12:00:00Z"));
+  EXPECT_EQ(lif["layouts"][0]["stations"][0]["stationPosition"], nlohmann::json({{"x", 0.0}, {"y", 0.8}}));
 }
 
 }  // namespace

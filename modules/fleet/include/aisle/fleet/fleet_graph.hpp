@@ -24,7 +24,8 @@ struct FleetEdge {
 struct FleetStation {
   std::string name;
   std::size_t node = 0;  ///< where a vehicle stands at it
-  Pose2 T_map_station;
+  Vec2 p_map = Vec2::Zero();
+  std::optional<double> heading_rad;  ///< nullopt: any
 };
 
 struct FleetGraph {
