@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "workplace.hpp"
 
 namespace aisle {
@@ -83,6 +85,18 @@ TEST_F(GoInAMap, DrivesToGoalsInOrderAndSaysHowItStandsAtTheirHeadings) {
   EXPECT_EQ(figures["headings"][0]["reached"], true);
   EXPECT_LT(std::abs(figures["headings"][0]["off_deg"].get<double>()), 10);
   EXPECT_THAT(go({"home", "nowhere"}), IsRefused("goal 2: 'nowhere' is unknown"));
+}
+
+TEST_F(GoInAMap, RecordsItsGoalsWheneverTheyChange) {
+  convert({});
+  const ProgramRun run = run_aisle({"go", at("building.json"), "2,0", "1,0", "--world", "small-office",
+                                    "--vehicle", "turtlebot", "--out", at("driven"), "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  const auto topics = run_aisle({"info", at("driven"), "--json"}).json()["figures"]["topics"];
+  const auto goals =
+      std::find_if(topics.begin(), topics.end(), [](const auto& topic) { return topic["name"] == "/goals"; });
+  ASSERT_NE(goals, topics.end());
+  EXPECT_EQ((*goals)["messages"], 3) << "none, one and both are reached";
 }
 
 TEST_F(GoInAMap, PlacesWhereNothingCanDriveAreRefused) {

@@ -273,6 +273,8 @@ void LiveControl::change_goals(const ServiceCall& call) {
     problems.push_back({{"", 0, "add"}, "or remove is needed, and not both"});
   if (problems.empty()) problems = added != nullptr ? add_goal(*added) : remove_goal(*removed);
   if (!problems.empty()) return call.refuse(to_string(problems));
+  const nlohmann::ordered_json said = {{"goals", state_.goals}, {"reached", state_.goals_reached}};
+  events_.take_goals(stamp_.value_or(0), said.dump(), trail_.p_map_vehicle());
   call.answer({{"goals", state_.goals}});
 }
 
@@ -282,8 +284,10 @@ Problems LiveControl::add_goal(const nlohmann::json& goal) {
   Problems problems;
   const std::string text = goal_in(goal, "add", problems);
   if (!problems.empty()) return problems;
-  if (const auto known = goal_to(*building_, text); !known) return known.problems();
-  state_.goals.push_back(nlohmann::ordered_json(goal));
+  const auto known = goal_to(*building_, text);
+  if (!known) return known.problems();
+  // In the words of the vehicle, which soon says it again.
+  state_.goals.push_back(nlohmann::ordered_json::parse(goals_json(*known, 0))["goals"][0]);
   goal_changes_.push_back({.added = text});
   return {};
 }

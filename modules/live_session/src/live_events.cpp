@@ -1,6 +1,7 @@
 #include "live_events.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "aisle/core/rounded.hpp"
 #include "aisle/formats/sessions/cdr.hpp"
@@ -43,7 +44,18 @@ void LiveEvents::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::strin
     const bool has_contact = bumper && bumper->data;
     if (has_contact && !has_contact_) add(stamp, "contact", "", p_map_vehicle);
     has_contact_ = has_contact;
+  } else if (topic.name == "/goals") {
+    if (const auto text = parse_cdr<ros::String>(cdr)) take_goals(stamp, text->data, p_map_vehicle);
   }
+}
+
+void LiveEvents::take_goals(ros::Stamp_ns stamp, const std::string& goals_json,
+                            const std::optional<Vec2>& p_map_vehicle) {
+  auto goals = parse_goals(goals_json);
+  if (!goals) return;
+  for (const GoalEvent& event : goal_events(goals_, *goals))
+    add(stamp, event.kind, event.text, p_map_vehicle);
+  goals_ = std::move(*goals);
 }
 
 void LiveEvents::add(ros::Stamp_ns stamp, const char* kind, std::string_view text,

@@ -9,11 +9,12 @@
 
 #include "aisle/formats/sessions/session_message.hpp"
 #include "aisle/geometry/pose2.hpp"
+#include "goal_events.hpp"
 
 namespace aisle {
 
-/// What happened in a mission, for its timeline: new states of the navigator, marks and bumper contacts, from
-/// the messages of the mission, and what clients did.
+/// What happened in a mission, for its timeline: new states of the navigator, marks, bumper contacts and what
+/// became of its goals, from the messages of the mission, and what clients did.
 class LiveEvents {
  public:
   static constexpr std::size_t kEventsMax = 1000;  ///< the oldest go first
@@ -26,6 +27,10 @@ class LiveEvents {
   /// @param p_map_vehicle  where the vehicle is; nullopt: unknown
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr,
             const std::optional<Vec2>& p_map_vehicle);
+  /// Adds what has become of the goals since they were told last.
+  /// @param goals_json  a message of /goals
+  void take_goals(ros::Stamp_ns stamp, const std::string& goals_json,
+                  const std::optional<Vec2>& p_map_vehicle);
   void add(ros::Stamp_ns stamp, const char* kind, std::string_view text,
            const std::optional<Vec2>& p_map_vehicle);
 
@@ -48,6 +53,7 @@ class LiveEvents {
   std::size_t left_out_ = 0;
   std::string state_;
   bool has_contact_ = false;
+  MissionGoals goals_;
 };
 
 }  // namespace aisle

@@ -47,6 +47,19 @@ TEST_F(Events, AreMarksAndTheBeginningsOfContacts) {
   EXPECT_EQ(json[3]["kind"], "contact");
 }
 
+TEST_F(Events, AreWhatBecomesOfTheGoals) {
+  p_map = Vec2(1, 2);
+  text("/goals", 0, R"({"goals":[{"place":"desk"},{"x_m":8,"y_m":2}],"reached":0})");
+  events.take_goals(kSecond, R"({"goals":[{"place":"desk"}],"reached":0})", p_map);
+  text("/goals", 2 * kSecond, R"({"goals":[{"place":"desk"}],"reached":0})");
+  text("/goals", 3 * kSecond, R"({"goals":[{"place":"desk"}],"reached":1})");
+  EXPECT_EQ(
+      told(),
+      R"json({"from":0,"events":[{"stamp_s":0.0,"kind":"goal_next","text":"desk (1/2)","at_m":[1.0,2.0]},)json"
+      R"json({"stamp_s":1.0,"kind":"goal_removed","text":"8.00, 2.00 m","at_m":[1.0,2.0]},)json"
+      R"json({"stamp_s":3.0,"kind":"goal_reached","text":"desk","at_m":[1.0,2.0]}]})json");
+}
+
 TEST_F(Events, AreToldFromWhereAClientHasThem) {
   for (const char* state : {"a", "b", "c"}) decide(0, state);
   EXPECT_EQ(told(2), R"({"from":2,"events":[{"stamp_s":0.0,"kind":"state","text":"c"}]})");
@@ -78,9 +91,9 @@ TEST_F(Events, OfASessionAreToldFromItsBeginning) {
 }
 
 TEST_F(Events, IgnoreWhatCannotBeRead) {
-  for (const char* topic : {"/decision", "/operator", "/bumper"})
+  for (const char* topic : {"/decision", "/operator", "/bumper", "/goals"})
     events.take({topic, ros::String::kType}, 0, "damaged", {});
-  text("/decision", 0, "{}");
+  for (const char* topic : {"/decision", "/goals"}) text(topic, 0, "{}");
   EXPECT_EQ(events.count(), 0);
 }
 

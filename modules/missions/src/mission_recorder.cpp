@@ -28,6 +28,12 @@ Problems MissionRecorder::keep(const Decision& decision) {
   return session_ ? session_->keep(decision) : Problems{};
 }
 
+Problems MissionRecorder::keep_goals(std::string goals_json) {
+  if (!session_ || goals_json == goals_kept_) return {};
+  goals_kept_ = std::move(goals_json);
+  return session_->keep_goals(goals_kept_);
+}
+
 void MissionRecorder::show(const SessionTopic& topic, const std::string& cdr) const {
   session_->watcher()->take(topic, ros::stamp_ns(stamp_s_), cdr);
 }

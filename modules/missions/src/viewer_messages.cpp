@@ -91,11 +91,6 @@ std::string overlay_cdr(double stamp_s, const Overlay& overlay) {
   return text_cdr({{"stamp_s", stamp_s}, {"lines", std::move(lines)}});
 }
 
-const SessionTopic& goals_topic() {
-  static const SessionTopic topic{"/goals", ros::String::kType, true};
-  return topic;
-}
-
 const SessionTopic& match_topic() {
   static const SessionTopic topic{"/match", ros::String::kType};
   return topic;

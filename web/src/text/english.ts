@@ -253,6 +253,10 @@ export const english = {
       emergency_release: "stop released",
       end: "ended",
     } as Record<string, string>,
+      goal_next: "next goal",
+      goal_reached: "goal reached",
+      goal_added: "goal added",
+      goal_removed: "goal removed",
   },
   maze: {
     title: "Maze",

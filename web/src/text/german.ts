@@ -273,6 +273,10 @@ export const german: typeof english = {
       emergency_release: "freigegeben",
       end: "zu Ende",
     },
+      goal_next: "nächstes Ziel",
+      goal_reached: "Ziel erreicht",
+      goal_added: "Ziel hinzugefügt",
+      goal_removed: "Ziel entfernt",
   },
   maze: {
     title: "Labyrinth",

@@ -23,7 +23,7 @@ export function nearest_event(events: readonly MissionEvent[], at_s: number): nu
 function colour_of(kind: string): string {
   if (kind === "contact" || kind === "emergency_stop") return colour("trouble");
   if (kind === "state") return colour("accent");
-  return kind === "mark" || kind === "end" ? colour("good") : colour("busy");
+  return ["mark", "goal_reached", "end"].includes(kind) ? colour("good") : colour("busy");
 }
 
 /**

@@ -76,6 +76,19 @@ test("A drag on the plan sends it there, and it turns to where the drag ended", 
     assert.match(message.data, /^name: "TurtleBot/m, "the one that the server was started with");
 });
 
+/** What the timeline says, event by event, without the times. */
+async function told_events() {
+  const timeline = page.locator(".drive-tab").getByRole("slider", { name: "Events of the mission" });
+  await timeline.focus();
+  await page.keyboard.press("Home");
+  const told = [];
+  for (let at = 0; at <= Number(await timeline.getAttribute("aria-valuemax")); at += 1) {
+    told.push((await timeline.getAttribute("aria-valuetext")).replace(/^[\d:]+ · /, ""));
+    await page.keyboard.press("ArrowRight");
+  }
+  return told;
+}
+
 test("A queue under way is extended, and what is not reached is taken out", async () => {
   await page.keyboard.down("Shift");
   for (const x of [1.5, 3]) {
@@ -93,13 +106,33 @@ test("A queue under way is extended, and what is not reached is taken out", asyn
   await page.mouse.click(at.x, at.y);
   await page.getByRole("button", { name: "Add", exact: true }).click();
   await page.getByRole("button", { name: "Remove goal 3" }).waitFor();
+  await page
+    .locator(".drive-tab")
+    .getByText(/goal added/)
+    .waitFor();
   await page.getByRole("button", { name: "Remove goal 2" }).click();
   await until(() => watcher.state.goals?.length === 2, "one is taken out");
+  await page
+    .locator(".drive-tab")
+    .getByText(/goal removed/)
+    .waitFor();
   await keep_screenshot(page, "going-extended-dark");
   await hold(page, "Resume");
   await page.getByText("Last: go done.").waitFor({ timeout: driven_ms });
   assert.ok(Math.abs(pose().x - 2) < 0.8, `${pose().x}`);
   assert.equal(watcher.state.last.figures.places_reached, 2);
+  await page.locator(".drive-tab").getByText("ended · done").waitFor();
+  const of_goals = (await told_events()).filter((words) => /^(next goal|goal \w+) · /.test(words));
+  const expected = [
+    /^next goal · 1\.\d\d, -?0\.\d\d m \(1\/2\)$/,
+    /^goal added · (1\.9|2\.0)\d, -?0\.\d\d m$/,
+    /^goal removed · (2\.9|3\.0)\d, -?0\.\d\d m$/,
+    /^goal reached · 1\.\d\d, -?0\.\d\d m \(1\/2\)$/,
+    /^next goal · (1\.9|2\.0)\d, -?0\.\d\d m \(2\/2\)$/,
+    /^goal reached · (1\.9|2\.0)\d, -?0\.\d\d m \(2\/2\)$/,
+  ];
+  assert.equal(of_goals.length, expected.length, of_goals.join("\n"));
+  expected.forEach((wanted, index) => assert.match(of_goals[index], wanted));
 });
 
 test("A queue is driven in order, is stopped, and goes on", async () => {

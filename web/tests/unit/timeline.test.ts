@@ -65,6 +65,10 @@ test("An event is told with its time, and found by it", () => {
   assert.equal(event_text({ ...event(187), text: "by anna" }), "3:07 · paused · by anna");
   assert.equal(event_text({ stamp_s: 1, kind: "state", text: "lost" }), "0:01 · lost");
   assert.equal(event_text({ stamp_s: 1, kind: "new kind", text: "" }), "0:01 · new kind");
+  assert.equal(
+    event_text({ stamp_s: 9, kind: "goal_next", text: "desk (2/3)" }),
+    "0:09 · next goal · desk (2/3)",
+  );
   assert.equal(nearest_event([1, 5, 9].map(event), 6.5), 1);
   assert.equal(nearest_event([], 6.5), -1);
 });

@@ -116,6 +116,12 @@ Problems SessionRecord::keep(const Decision& decision) {
   return write(*last_stamp_, messages);
 }
 
+Problems SessionRecord::keep_goals(const std::string& goals_json) {
+  if (!last_stamp_) throw std::logic_error("goals before the first observation");
+  const RecordedMessage messages[] = {latched(kGoalsTopic, ros::String{goals_json})};
+  return write(*last_stamp_, messages);
+}
+
 Problems SessionRecord::keep_truth(double stamp_s, const Pose2& T_map_vehicle) {
   const ros::Stamp_ns stamp = ros::stamp_ns(stamp_s);
   if (Problems problems = write_head(stamp); !problems.empty()) return problems;

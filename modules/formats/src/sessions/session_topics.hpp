@@ -21,6 +21,7 @@ inline constexpr const char* kScanTopic = "/scan";
 inline constexpr const char* kBumperTopic = "/bumper";
 inline constexpr const char* kOperatorTopic = "/operator";
 inline constexpr const char* kDecisionTopic = "/decision";
+inline constexpr const char* kGoalsTopic = "/goals";
 inline constexpr const char* kCommandTopic = "/cmd_vel";
 inline constexpr const char* kControlsTopic = "/controls";
 inline constexpr const char* kTruePoseTopic = "/truth/pose";

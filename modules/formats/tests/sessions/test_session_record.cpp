@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/formats/sessions/recorded_vehicle.hpp"
 #include "aisle/formats/sessions/session_reader.hpp"
 #include "session_samples.hpp"
@@ -112,6 +113,23 @@ TEST(SessionRecord, AClosedSessionIsTwoFiles) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(place / "drive")) names.push_back(entry.path().filename());
   EXPECT_THAT(names, testing::UnorderedElementsAre("metadata.yaml", "drive_0.db3"));
+}
+
+TEST(SessionRecord, GoalsAreKeptForViewers) {
+  const SessionPlace place;
+  const std::string goals = R"({"goals":[{"place":"desk"}],"reached":0})";
+  auto record = SessionRecord::create(place / "drive", false, sample_vehicle(), sample_origin());
+  EXPECT_THROW((void)record->keep_goals(goals), std::logic_error);
+  (void)record->keep(sample_observation(0));
+  EXPECT_THAT(record->keep_goals(goals), IsEmpty());
+  (void)record->keep(sample_decision(0));
+  (void)record->close();
+  const auto reader = SessionReader::open(place / "drive");
+  const auto kept = reader->first_of("/goals");
+  EXPECT_EQ(kept->value(), cdr_bytes(ros::String{goals}));
+  auto cycles = SessionCycles::open(place / "drive");
+  const auto cycle = cycles->next();
+  EXPECT_EQ((*cycle)->decision, sample_decision(0)) << "they are no part of the decision";
 }
 
 TEST(SessionRecord, KnowsItsOrigin) {

@@ -8,7 +8,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/geometry/segment2.hpp"
 #include "aisle/maps/cell_index.hpp"
 
@@ -34,7 +33,7 @@ class GuideMissionRecorder final : public MissionRecorder {
   using MissionRecorder::keep;
 
   Problems keep(const Decision& decision) override {
-    show_goals();
+    if (Problems problems = record_goals(); !problems.empty()) return problems;
     if (driver_.is_finding()) return MissionRecorder::keep(decision);
     const GuideNavigator& navigator = driver_.navigator();
     result_.T_map_vehicle.push_back(navigator.T_map_vehicle());
@@ -47,19 +46,14 @@ class GuideMissionRecorder final : public MissionRecorder {
   }
 
  private:
-  void show_goals() {
-    if constexpr (std::is_same_v<Driver, GuideDriver>) {
-      if (!is_watched()) return;
-      std::string goals = goals_json(driver_.goal(), driver_.navigator().places_reached());
-      if (goals == goals_shown_) return;
-      show(goals_topic(), cdr_bytes(ros::String{goals}));
-      goals_shown_ = std::move(goals);
-    }
+  Problems record_goals() {
+    if constexpr (std::is_same_v<Driver, GuideDriver>)
+      return keep_goals(goals_json(driver_.goal(), driver_.navigator().places_reached()));
+    return {};
   }
 
   const Driver& driver_;
   GuideMissionResult& result_;
-  std::string goals_shown_;
 };
 
 /// @param driver  GuideDriver or GoalFollower

@@ -39,6 +39,10 @@ class MissionRecorder : public MissionRecord {
   void show_floor(const FloorGrid& floor);
   void show(const SessionTopic& topic, const std::string& cdr) const;
 
+  /// Records the goals as they are now; only if they changed.
+  /// @param goals_json  as goals_json() says them
+  Problems keep_goals(std::string goals_json);
+
   bool is_watched() const { return session_ && session_->watcher() != nullptr; }
   /// Name of the camera of the cycle's first image; empty: no image was taken.
   const std::string& image_camera() const { return image_camera_; }
@@ -57,6 +61,7 @@ class MissionRecorder : public MissionRecord {
   std::size_t images_ = 0;
   std::string image_camera_;
   double image_stamp_s_ = 0;
+  std::string goals_kept_;
   std::string floor_shown_;
   double floor_shown_s_ = -1;
 };

@@ -41,9 +41,6 @@ struct ViewMatch {
   std::string text;    ///< "41 of 52 lines"
 };
 
-/// What goals_json() of GuideDriver says.
-const SessionTopic& goals_topic();
-
 const SessionTopic& match_topic();
 std::string match_cdr(double stamp_s, const ViewMatch& match);
 

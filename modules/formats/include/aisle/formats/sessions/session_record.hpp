@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "aisle/formats/images/image_coding.hpp"
 #include "aisle/formats/sessions/message_sink.hpp"
@@ -46,6 +47,10 @@ class SessionRecord final : public MissionRecord {
 
   /// @throws std::logic_error before the first observation
   Problems keep(const Decision& decision) override;
+
+  /// Writes the goals that the mission drives to, as JSON, to /goals: for viewers.
+  /// @throws std::logic_error before the first observation
+  Problems keep_goals(const std::string& goals_json);
 
   /// Writes the vehicle's true pose to /truth/pose: for evaluation, never part of the observations.
   Problems keep_truth(double stamp_s, const Pose2& T_map_vehicle);
