@@ -11,7 +11,6 @@ import type { Point } from "../plan/geometry";
 import type { Layer } from "../plan/plan_canvas";
 
 const near_px = 14;
-const arrow_px = 34;
 
 /** A point of the chosen building to which the vehicle is sent. */
 interface Goal extends Point {
@@ -39,8 +38,8 @@ function words_of_request(request: GoalRequest): string {
 
 /**
  * Where the vehicle is sent in the chosen building. A clicked point is confirmed before it drives there; a drag gives the
- * heading, too, and it drives when the drag ends. Several goals make a queue, which is driven in order. While it drives
- * to its goals, what is added and removed are those of its mission.
+ * heading, too, and it drives when the drag ends. Several goals make a queue, which is driven in order: with Shift a click
+ * or a drag adds one. While it drives to its goals, what is added and removed are those of its mission.
  */
 export class Goals {
   readonly element: HTMLElement;
@@ -82,10 +81,10 @@ export class Goals {
     this.#queueing = element("div", { class: "goal-bar goal-queue" }, this.#list, drive, clear);
     this.element = element("div", { class: "goals" }, this.#queueing, this.#picking);
     this.layer = (context, view) => {
-      this.#queue.forEach((goal, index) => draw_goal(context, view, goal, String(index + 1), arrow_px));
+      this.#queue.forEach((goal, index) => draw_goal(context, view, goal, String(index + 1)));
       if (!this.#picked) return;
       const drawn_px = this.#turning && distance(this.#picked, this.#turning) * view.scale_px_per_m;
-      draw_goal(context, view, this.#picked, "", Math.max(arrow_px, drawn_px ?? 0));
+      draw_goal(context, view, this.#picked, "", drawn_px);
     };
     this.clear();
     app.state.watch(() => this.#follow());
@@ -125,8 +124,12 @@ export class Goals {
     if (adds) this.#add();
   }
 
-  /** A drag as short as the dot is a click. Where there is a queue, the goal joins it. */
-  drag(from: Point, to: Point, ended: boolean, adds: boolean): void {
+  /**
+   * A drag as short as the dot is a click. Where there is a queue, the goal joins it.
+   * @returns false: the drag gives no goal
+   */
+  drag(from: Point, to: Point, ended: boolean, adds: boolean): false | void {
+    if (!this.#takes_drag(adds)) return false;
     const goal = this.#goal_at(from);
     const is_turned = distance(from, to) * this.scale_px_per_m() > near_px;
     this.#picked = is_turned ? { ...goal, heading_deg: direction_deg(goal, to) } : goal;
@@ -135,6 +138,12 @@ export class Goals {
     this.#pick(this.#picked);
     if (adds || (is_turned && this.#queue.length > 0)) this.#add();
     else if (is_turned) void this.#send([this.#picked]);
+  }
+
+  /** On the way the plan is moved by a drag, and only Shift makes it a goal. */
+  #takes_drag(adds: boolean): boolean {
+    if (this.#under_way) return adds;
+    return this.store.is_shown.value && this.store.takes_goals.value && !!this.store.building.value;
   }
 
   cancel(): void {
@@ -159,9 +168,7 @@ export class Goals {
         ...point_of(at_m),
         place: name,
       }));
-    return [...this.app.plan.marks.values()].flatMap(({ namespace, text: place, points: [point] }) =>
-      namespace === "places" && point ? [{ x: point.x, y: point.y, place }] : [],
-    );
+    return this.app.plan.places().map(({ x, y, name }) => ({ x, y, place: name }));
   }
 
   #pick(goal: Goal | undefined): void {

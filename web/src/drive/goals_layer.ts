@@ -4,19 +4,16 @@ import { draw_goal } from "../plan/draw";
 import type { Point } from "../plan/geometry";
 import type { Layer } from "../plan/plan_canvas";
 
-const arrow_px = 26;
-
 /** The goals that the mission which runs has not reached, with their numbers. */
 export function goals_layer(app: App): Layer {
   const at = (goal: GoalRequest): (Point & { heading_deg?: number }) | undefined => {
     if ("x_m" in goal) return { ...goal, x: goal.x_m, y: goal.y_m };
-    const marks = [...app.plan.marks.values()];
-    return marks.find(({ namespace, text }) => namespace === "places" && text === goal.place)?.points[0];
+    return app.plan.places().find(({ name }) => name === goal.place);
   };
   return (context, view) => {
     (app.state.value?.goals ?? []).forEach((goal, index) => {
       const place = index < (app.state.value?.goals_reached ?? 0) ? undefined : at(goal);
-      if (place) draw_goal(context, view, place, String(index + 1), arrow_px);
+      if (place) draw_goal(context, view, place, String(index + 1));
     });
   };
 }

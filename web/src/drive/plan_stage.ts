@@ -37,10 +37,10 @@ export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement;
   const click = (at: Point, adds: boolean) => goals.click(at, adds);
   const drag = (...drawn: Parameters<Goals["drag"]>) => goals.drag(...drawn);
   const cancel = () => goals.cancel();
+  canvas.tool = { click, drag, cancel };
   const arrange = () => {
     const live = Object.entries(layers).flatMap(([name, layer]) => (hidden.has(name) ? [] : [layer]));
     canvas.layers = is_building() && building ? [building, goals.layer] : [...live, goals.layer];
-    canvas.tool = is_building() && store.takes_goals.value ? { click, drag, cancel } : { click };
     canvas.redraw();
   };
   canvas.extent = () => (is_building() ? building_extent : bounds_of(plan.points()));
@@ -78,7 +78,6 @@ export function plan_stage(app: App, store: BuildingStore): { plan: HTMLElement;
     canvas.refit();
     arrange();
   });
-  store.takes_goals.watch(arrange);
   app.state.watch((state) => {
     if (state?.goals) canvas.redraw();
   });

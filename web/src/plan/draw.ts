@@ -100,13 +100,18 @@ export function draw_name(context: Context, view: PlanView, at: Point, name: str
   draw_caption(context, { x: x + 8, y: y - 8 }, name);
 }
 
-/** A goal with its number, and an arrow where the vehicle is to face there. */
+const arrow_px = 34;
+
+/**
+ * A goal with its number, and an arrow where the vehicle is to face there.
+ * @param drawn_px  how long the arrow is being drawn; it is not shorter than others
+ */
 export function draw_goal(
   context: Context,
   view: PlanView,
   goal: Point & { heading_deg?: number },
   number: string,
-  arrow_px: number,
+  drawn_px = 0,
 ): void {
   const at = view.to_screen(goal);
   if (goal.heading_deg !== undefined) {
@@ -114,8 +119,8 @@ export function draw_goal(
     const pose: Pose = { ...goal, heading_rad };
     const along = (ahead_px: number, left_px: number) =>
       moved_by(pose, { x: ahead_px / view.scale_px_per_m, y: left_px / view.scale_px_per_m });
-    const arrow = [along(0, 0), along(arrow_px, 0)];
-    const head = [along(arrow_px - 9, 7), along(arrow_px, 0), along(arrow_px - 9, -7)];
+    const arrow = [along(0, 0), along(length_px, 0)];
+    const head = [along(length_px - 9, 7), along(length_px, 0), along(length_px - 9, -7)];
     for (const line of [arrow, head]) draw_line(context, view, line, { colour: colour("path"), width_px: 3 });
   }
   draw_dots(context, view, [goal], colour("path"), number === "" ? 7 : 10);
@@ -125,6 +130,7 @@ export function draw_goal(
   context.fillStyle = colour("sheet");
   context.fillText(number, at.x, at.y + 1);
   context.textAlign = "start";
+  const length_px = Math.max(arrow_px, drawn_px);
 }
 
 /** Strokes the traced outline in the vehicle's colour and fills it faintly. */

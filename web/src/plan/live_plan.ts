@@ -135,6 +135,13 @@ export class LivePlan {
     return this.floor ? text.mission.area(area_text(free_floor_m2(this.floor))) : "";
   }
 
+  /** The named places of the map. */
+  places(): (Point & { name: string })[] {
+    return [...this.marks.values()].flatMap(({ namespace, text: name, points: [point] }) =>
+      namespace === "places" && point ? [{ x: point.x, y: point.y, name }] : [],
+    );
+  }
+
   /** All points that the plan should show. */
   *points(): Iterable<Point> {
     if (this.floor) yield* floor_points(this.floor);

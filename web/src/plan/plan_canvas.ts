@@ -22,7 +22,8 @@ export interface PlanTool {
   click?(at: Point, adds: boolean): void;
   /** undefined: the mouse leaves. */
   hover?(at: Point | undefined): void;
-  drag?(from: Point, to: Point, ended: boolean, adds: boolean): void;
+  /** @returns false: this drag moves the plan, too */
+  drag?(from: Point, to: Point, ended: boolean, adds: boolean): false | void;
   /** The drag did not happen. */
   cancel?(): void;
 }
@@ -93,8 +94,7 @@ export class PlanCanvas {
       cancel_drag: () => this.#tool.cancel?.(),
       drag: (from, to, ended, adds) => {
         if (!this.#tool.drag) return false;
-        this.#tool.drag(this.view.to_map(from), this.view.to_map(to), ended, adds);
-        return true;
+        return this.#tool.drag(this.view.to_map(from), this.view.to_map(to), ended, adds) !== false;
       },
     });
     for (const change of ["focus", "blur"]) this.#canvas.addEventListener(change, () => this.redraw());

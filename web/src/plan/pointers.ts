@@ -11,7 +11,7 @@ export interface PointerActions {
   click(at: Point, adds: boolean): void;
   /** The mouse moves without a button; undefined: it leaves. */
   hover(at: Point | undefined): void;
-  /** @returns false: the drag is not handled, so it pans */
+  /** @returns false: the drag is not handled, so it pans until it ends */
   drag(from: Point, to: Point, ended: boolean, adds: boolean): boolean;
   /** The drag became a gesture of two fingers: it did not happen. */
   cancel_drag(): void;
@@ -30,6 +30,8 @@ export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerAction
   let began: Point | undefined;
   let moved = false;
   let pans = false;
+  /** Who lets go of Shift before the button still adds. */
+  let adds = false;
 
   const place = (event: MouseEvent): Point => {
     const box = canvas.getBoundingClientRect();
@@ -44,11 +46,15 @@ export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerAction
     const spread = (points: Point[]) => Math.max(1, distance(points[0] as Point, points[1] as Point));
     actions.zoom(spread(after) / spread(before), at);
   };
+  const cancel_drag = () => {
+    if (began && moved && !pans) actions.cancel_drag();
+  };
   const end = (event: PointerEvent, is_cancelled: boolean) => {
     if (!down.delete(event.pointerId) || down.size > 0) return;
-    if (began && is_cancelled) actions.cancel_drag();
-    else if (began && moved && !pans) actions.drag(began, place(event), true, event.shiftKey);
-    else if (began && !pans) actions.click(place(event), event.shiftKey);
+    adds ||= event.shiftKey;
+    if (is_cancelled) cancel_drag();
+    else if (began && moved && !pans) actions.drag(began, place(event), true, adds);
+    else if (began && !pans) actions.click(place(event), adds);
     began = undefined;
   };
 
@@ -56,12 +62,13 @@ export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerAction
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, place(event));
     if (down.size > 1) {
-      if (began) actions.cancel_drag();
+      cancel_drag();
       began = undefined;
     } else {
       began = place(event);
       moved = false;
       pans = event.button === middle_button;
+      adds = event.shiftKey;
     }
   });
   canvas.addEventListener("pointermove", (event) => {
@@ -75,7 +82,9 @@ export function watch_pointers(canvas: HTMLCanvasElement, actions: PointerAction
     else if (began && (moved || distance(began, to) > click_within_px)) {
       moved = true;
       down.set(event.pointerId, to);
-      if (pans || !actions.drag(began, to, false, event.shiftKey)) actions.pan(to.x - from.x, to.y - from.y);
+      adds ||= event.shiftKey;
+      pans ||= !actions.drag(began, to, false, adds);
+      if (pans) actions.pan(to.x - from.x, to.y - from.y);
     } else if (!began) down.set(event.pointerId, to);
   });
   canvas.addEventListener("pointerleave", ({ pointerType }) => {

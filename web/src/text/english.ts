@@ -117,7 +117,7 @@ export const english = {
       label: "Go to a place",
       begin: "Go",
       about:
-        "Drives to a place of the building. You can also click a point on the plan, or drag from it to where the vehicle is to face: it drives when you let go. Shift and click adds goals, driven in order.",
+        "Drives to a place of the building. You can also click a point on the plan, or drag from it to where the vehicle is to face: it drives when you let go. With Shift, clicks and drags add goals, driven in order.",
     },
     patrol: { label: "Patrol", begin: "Patrol", about: "Drives to all places of the building in turn." },
     park: { label: "Park", begin: "Park", about: "Parks precisely at a place." },
@@ -163,7 +163,8 @@ export const english = {
       "To send the vehicle to a point, choose “Go to a place” under Mission and click the point in the building",
     go: "Go there",
     add: "Add",
-    add_hint: "Adds it to the goals that are driven to in order; Shift and a click do the same.",
+    add_hint:
+      "Adds it to the goals that are driven to in order; Shift and a click do the same, and Shift and a drag with a heading.",
     cancel: "Cancel",
     queue: "Goals in order",
     drive_queue: "Drive in order",

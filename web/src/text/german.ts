@@ -133,7 +133,7 @@ export const german: typeof english = {
       label: "Zu einem Ort fahren",
       begin: "Losfahren",
       about:
-        "Fährt zu einem Ort des Gebäudes. Sie können auch einen Punkt im Plan anklicken oder von ihm dorthin ziehen, wohin das Fahrzeug schauen soll: Es fährt, sobald Sie loslassen. Umschalttaste und Klick fügt Ziele hinzu, die der Reihe nach angefahren werden.",
+        "Fährt zu einem Ort des Gebäudes. Sie können auch einen Punkt im Plan anklicken oder von ihm dorthin ziehen, wohin das Fahrzeug schauen soll: Es fährt, sobald Sie loslassen. Mit der Umschalttaste fügen Klicken und Ziehen Ziele hinzu, die der Reihe nach angefahren werden.",
     },
     patrol: {
       label: "Rundfahrt",
@@ -183,7 +183,8 @@ export const german: typeof english = {
       "Um das Fahrzeug zu einem Punkt zu schicken, wählen Sie unter Auftrag „Zu einem Ort fahren“ und klicken Sie den Punkt im Gebäude an",
     go: "Dorthin fahren",
     add: "Hinzufügen",
-    add_hint: "Fügt es den Zielen hinzu, die der Reihe nach angefahren werden, wie Umschalttaste und Klick.",
+    add_hint:
+      "Fügt es den Zielen hinzu, die der Reihe nach angefahren werden, wie Umschalttaste und Klick, und mit Richtung Umschalttaste und Ziehen.",
     cancel: "Abbrechen",
     queue: "Ziele der Reihe nach",
     drive_queue: "Der Reihe nach fahren",

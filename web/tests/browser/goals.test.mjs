@@ -218,6 +218,58 @@ for (const [size, open] of [
   });
 }
 
+test("Shift and a drag adds a goal with its heading to the queue", async () => {
+  const at = await open_go(page);
+  const list = page.getByRole("list", { name: "Goals in order" });
+  await page.keyboard.down("Shift");
+  await drag(page, await at(3, -2), await at(3, 1));
+  await keep_screenshot(page, "goal-heading-added-dark");
+  await page.keyboard.up("Shift"); // before the button: the vehicle is not sent off
+  await page.mouse.up();
+  await until(async () => (await list.getByRole("listitem").count()) === 1, "it is in the queue");
+  assert.deepEqual(requests(), []);
+  await page.keyboard.down("Shift");
+  const there = await at(7, -3);
+  await page.mouse.click(there.x, there.y);
+  await drag(page, await at(8, 2), await at(6, 2));
+  await page.mouse.up();
+  await page.keyboard.up("Shift");
+  await until(async () => (await list.getByRole("listitem").count()) === 3, "two more");
+  await keep_screenshot(page, "goal-headings-queue-dark");
+  await page.getByRole("button", { name: "Drive in order" }).click();
+  await until(() => requests().length === 1, "the vehicle is sent");
+  const [first, second, third] = requests()[0].goals;
+  assert_goal(first, 3, -2, 90);
+  assert_goal(second, 7, -3);
+  assert_goal(third, 8, 2, 180);
+});
+
+test("On the way Shift and a drag adds a goal with its heading, and a drag alone moves the plan", async () => {
+  await page.locator('.mission-panel option[value="desk"]').waitFor({ state: "attached" });
+  drive_to_goals(vehicle);
+  await page.getByRole("button", { name: "Remove goal 2" }).waitFor();
+  const box = await page.locator(".drive-tab .stage .plan canvas").boundingBox();
+  const from = { x: box.x + box.width * 0.6, y: box.y + box.height * 0.6 };
+  const above = { x: from.x, y: from.y - 90 };
+  const changes = () => called("mission/goals").map(({ request: { lease, ...change } }) => change);
+  await drag(page, from, above);
+  await page.mouse.up();
+  await page.keyboard.down("Shift");
+  await drag(page, from, above);
+  await keep_screenshot(page, "goal-heading-extended-dark");
+  await page.mouse.up();
+  await page.keyboard.up("Shift");
+  await page.getByRole("button", { name: "Remove goal 4" }).waitFor();
+  assert.equal(changes().length, 1, "a drag alone moves the plan");
+  assert.equal(Math.round(changes()[0].add.heading_deg), 90);
+  await page.getByRole("button", { name: "Add", exact: true }).waitFor({ state: "hidden" });
+  const list = page.getByRole("list", { name: "Goals in order" });
+  assert.match(await list.getByRole("listitem").last().textContent(), /facing 90°/);
+  await keep_screenshot(page, "goal-headings-driving-dark");
+  assert.deepEqual(requests(), []);
+  vehicle.send_state({ mode: "idle", mission: "", goals: undefined, goals_reached: undefined });
+});
+
 test("A goal that is refused on the way says why, and can still be added", async () => {
   await page.locator('.mission-panel option[value="desk"]').waitFor({ state: "attached" });
   drive_to_goals(vehicle);
