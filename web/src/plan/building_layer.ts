@@ -1,7 +1,16 @@
 import type { Building, Floor } from "../building/building_file";
+import { named_rooms } from "../building/named_rooms";
 import { colour } from "../page/theme";
 import { floor_runs, point_of, route_points, zone_arrow, zone_outline } from "./building_geometry";
-import { barrier_stroke, zone_stroke, draw_dots, draw_line, draw_name, draw_segments } from "./draw";
+import {
+  barrier_stroke,
+  zone_stroke,
+  draw_area,
+  draw_dots,
+  draw_line,
+  draw_name,
+  draw_segments,
+} from "./draw";
 import type { Point } from "./geometry";
 import type { Layer } from "./plan_canvas";
 
@@ -37,6 +46,7 @@ export function building_layer(building: Building): Layer {
   const routes = (building.routes ?? []).map(route_points);
   return (context, view) => {
     floor?.(context, view);
+    for (const { outlines } of named_rooms(building)) draw_area(context, view, outlines, colour("accent"));
     const graph = { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
     for (const { path_m } of building.corridors?.corridors ?? []) {
       draw_line(context, view, path_m.map(point_of), graph);

@@ -64,6 +64,22 @@ export function draw_segments(
   context.stroke();
 }
 
+export const area_opacity = 0.1;
+
+/** An area, softly: what is under it stays legible. @param outlines  closed; those of holes are among them */
+export function draw_area(context: Context, view: PlanView, outlines: Point[][], fill: string): void {
+  context.save();
+  context.beginPath();
+  for (const outline of outlines) trace(context, view, outline, true);
+  context.globalAlpha = area_opacity;
+  context.fillStyle = fill;
+  context.fill("evenodd");
+  context.globalAlpha = 0.45;
+  apply_stroke(context, { colour: fill, width_px: 1.5 });
+  context.stroke();
+  context.restore();
+}
+
 export function draw_dots(
   context: Context,
   view: PlanView,
@@ -114,6 +130,7 @@ export function draw_goal(
   drawn_px = 0,
 ): void {
   const at = view.to_screen(goal);
+  const length_px = Math.max(arrow_px, drawn_px);
   if (goal.heading_deg !== undefined) {
     const heading_rad = (goal.heading_deg * Math.PI) / 180;
     const pose: Pose = { ...goal, heading_rad };
@@ -130,7 +147,6 @@ export function draw_goal(
   context.fillStyle = colour("sheet");
   context.fillText(number, at.x, at.y + 1);
   context.textAlign = "start";
-  const length_px = Math.max(arrow_px, drawn_px);
 }
 
 /** Strokes the traced outline in the vehicle's colour and fills it faintly. */

@@ -1,7 +1,8 @@
 import type { Building } from "../building/building_file";
+import { named_rooms } from "../building/named_rooms";
 import { colour } from "../page/theme";
 import { text } from "../text";
-import { apply_stroke, barrier_stroke, draw_caption, zone_stroke } from "./draw";
+import { apply_stroke, area_opacity, barrier_stroke, draw_caption, zone_stroke } from "./draw";
 import type { Stroke } from "./draw";
 import type { LivePlan } from "./live_plan";
 import type { PlanView } from "./plan_view";
@@ -13,6 +14,8 @@ const in_order = Object.keys(text.plan.legend_of) as Shown[];
 
 interface Sample extends Stroke {
   form: "area" | "line" | "dot";
+  /** Of an area's inside. */
+  opacity?: number;
 }
 
 /** How each of it is drawn. */
@@ -25,6 +28,7 @@ function sample_of(shown: Shown): Sample {
     graph: () => ({ form: "line", colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] }),
     routes: () => ({ form: "line", colour: colour("path"), width_px: 1.5 }),
     places: () => ({ form: "dot", colour: colour("accent"), width_px: 8 }),
+    rooms: () => ({ form: "area", colour: colour("accent"), width_px: 1.5, opacity: area_opacity }),
     keep_out: () => ({ form: "line", ...barrier_stroke("keep_out") }),
     glass: () => ({ form: "line", ...barrier_stroke("glass") }),
     slow: () => ({ form: "line", ...zone_stroke("slow") }),
@@ -43,6 +47,7 @@ export function shown_of_building(building: Building): Set<Shown> {
   if (building.corridors?.corridors.length) shown.add("graph");
   for (const list of ["walls", "landmarks", "routes", "places"] as const)
     if (building[list]?.length) shown.add(list);
+  if (named_rooms(building).length > 0) shown.add("rooms");
   for (const { kind } of [...(building.barriers ?? []), ...(building.zones ?? [])]) shown.add(kind);
   return shown;
 }
@@ -85,8 +90,10 @@ function draw_sample(context: CanvasRenderingContext2D, x: number, y: number, sa
     return;
   } else {
     context.rect(x, y - 5, sample_px, 10);
+    context.globalAlpha = sample.opacity ?? 1;
     context.fill();
-    context.strokeStyle = colour("muted");
+    context.globalAlpha = 1;
+    if (sample.opacity === undefined) context.strokeStyle = colour("muted");
   }
   context.stroke();
 }

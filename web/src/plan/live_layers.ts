@@ -1,10 +1,13 @@
 /** The layers of the live plan, by the names under which they are switched on and off. */
 
-import type { Floor } from "../building/building_file";
+import type { Floor, Place } from "../building/building_file";
+import { named_rooms } from "../building/named_rooms";
+import type { NamedRoom } from "../building/named_rooms";
 import { colour } from "../page/theme";
 import { floor_layer } from "./building_layer";
 import {
   barrier_stroke,
+  draw_area,
   draw_dots,
   draw_ellipse,
   draw_line,
@@ -65,9 +68,27 @@ function known_floor_layer(plan: LivePlan): Layer {
   };
 }
 
+/** The rooms of a mission's building, by the floor that was known when its places were. */
+function known_rooms_layer(plan: LivePlan): Layer {
+  let traced = "";
+  let rooms: NamedRoom[] = [];
+  return (context, view) => {
+    if (!plan.floor) return;
+    const places = plan.places().map(({ x, y, name }): Place => ({ name, at_m: [x, y] }));
+    const present = JSON.stringify(places);
+    if (present !== traced) rooms = named_rooms({ floor: plan.floor, places });
+    traced = present;
+    for (const { outlines } of rooms) draw_area(context, view, outlines, colour("accent"));
+  };
+}
+
 export function live_layers(plan: LivePlan): Record<string, Layer> {
+  const [floor, rooms] = [known_floor_layer(plan), known_rooms_layer(plan)];
   return {
-    floor: known_floor_layer(plan),
+    floor: (...on) => {
+      floor(...on);
+      rooms(...on);
+    },
     walls: marks_layer(plan, (namespace) => !["landmarks", "graph", "places"].includes(namespace)),
     landmarks: marks_layer(plan, (namespace) => namespace === "landmarks"),
     graph: marks_layer(plan, (namespace) => namespace === "graph" || namespace === "places"),

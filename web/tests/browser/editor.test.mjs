@@ -136,6 +136,33 @@ test("A room is named where it has most space, and its place gets another name",
   assert.ok(hall.at_m[0] > 3.4 && hall.at_m[0] < 6.6 && Math.abs(hall.at_m[1]) < 0.6, String(hall.at_m));
 });
 
+test("A named room is shown as far as its walls and its door", async () => {
+  const walled = Array(7).fill("10.1#9.");
+  vehicle.files["/buildings/attic.json"].floor.rows = [...walled, "20.", "20.", ...walled];
+  const middle = await open_editor(page);
+  const box = await plan_of(page).boundingBox();
+  const colours = () =>
+    plan_of(page).evaluate(
+      (canvas, points) => {
+        const context = canvas.getContext("2d");
+        return points.map(([x, y]) => context.getImageData(x, y, 1, 1).data.join());
+      },
+      [-100, 100].map((right) => [middle.x - box.x + right, middle.y - box.y - 60]),
+    );
+  const [left, right] = await colours();
+  assert.equal(left, right);
+  await page.getByLabel("Tool").selectOption("room");
+  await page.mouse.click(middle.x - 100, middle.y - 60);
+  await page.getByLabel("Name of the place").fill("office");
+  await page.getByRole("button", { name: "Name it" }).click();
+  await page.getByText("2 places").waitFor();
+  await until(async () => (await colours())[0] !== left, "the room is shown");
+  assert.equal((await colours())[1], right, "the room behind the door is not");
+  await page.locator(".building-tab").getByRole("button", { name: "More" }).click();
+  await page.locator(".building-tab").getByRole("button", { name: "Legend" }).click();
+  await keep_screenshot(page, "editor-named-room-dark");
+});
+
 test("Under a finger, what will be deleted is shown first", async () => {
   const phone = await open_touch(given, 768, 1024);
   const middle = await open_editor(phone);

@@ -15,6 +15,7 @@ import {
 import { building_of } from "../../src/building/building_file";
 import type { Building, Floor, Pair } from "../../src/building/building_file";
 import { pack_row, unpack_row } from "../../src/building/floor_cells";
+import { named_rooms } from "../../src/building/named_rooms";
 import { room_middle } from "../../src/building/room_middle";
 import { UndoList } from "../../src/page/undo_list";
 
@@ -178,6 +179,66 @@ test("A room's middle is where it has most space, wherever in the room it was as
   assert.ok(right && right.x > 4.1);
   const corridor = room_middle(floor, { x: 5, y: 2.05 });
   assert.ok(corridor && Math.abs(corridor.x - 5) < 0.6 && Math.abs(corridor.y - 2.5) < 0.11);
+});
+
+/** The area within outlines that go round it counter-clockwise, those of holes clockwise. */
+function area_m2(outlines: { x: number; y: number }[][]): number {
+  const doubled = outlines.flatMap((outline) =>
+    outline.map(({ x, y }, index) => {
+      const next = outline[(index + 1) % outline.length] ?? { x, y };
+      return x * next.y - next.x * y;
+    }),
+  );
+  return doubled.reduce((sum, part) => sum + part, 0) / 2;
+}
+
+/** As an editor names it: the name is in the room's middle. */
+function named(floor: Floor, name: string, at: { x: number; y: number }): Building {
+  const middle = room_middle(floor, at);
+  assert.ok(middle);
+  return with_place({ ...building, floor }, name, middle, undefined);
+}
+
+test("A named room is shown as far as its walls, and half-way into its door", () => {
+  const floor = two_rooms();
+  const [left, ...others] = named_rooms(named(floor, "left", { x: 0.5, y: 5.5 }));
+  assert.deepEqual(others, []);
+  assert.equal(left?.name, "left");
+  const [outline = []] = left.outlines;
+  const xs = outline.map(({ x }) => x);
+  assert.ok(Math.abs(Math.min(...xs) + 1) < 1e-6 && Math.max(...xs) < 3.5, "not the room behind the door");
+  assert.ok(Math.min(...outline.map(({ y }) => y)) > 3.09, "not the corridor behind the wall");
+  assert.ok(Math.abs(area_m2(left.outlines) - 4 * 3) < 0.5, `${area_m2(left.outlines)} m2`);
+});
+
+test("What stands in a named room is left out of it", () => {
+  const open = (rows: number) => Array<string>(rows).fill("60.");
+  const floor = {
+    cell_m: 0.1,
+    low_cell: [0, 0] as Pair,
+    rows: [...open(20), "20.5#35.", "20.5#35.", ...open(38)],
+  };
+  const [hall] = named_rooms(named(floor, "hall", { x: 3, y: 4 }));
+  assert.equal(hall?.outlines.length, 2);
+  assert.ok(Math.abs(area_m2(hall.outlines) - (36 - 0.1)) < 1e-6);
+});
+
+test("A corridor that has two names is shown once", () => {
+  const corridor: Floor = { cell_m: 0.1, low_cell: [0, 0], rows: Array<string>(20).fill("200.") };
+  const once = named(corridor, "west", { x: 5, y: 1 });
+  const middle = room_middle(corridor, { x: 15, y: 1 });
+  assert.ok(middle);
+  const rooms = named_rooms(with_place(once, "east", middle, undefined));
+  assert.equal(rooms.length, 1);
+  assert.ok(Math.abs(area_m2(rooms[0]?.outlines ?? []) - 40) < 1e-6);
+});
+
+test("Home, and a place beside the middle of a room, name no room", () => {
+  const floor = two_rooms();
+  assert.deepEqual(named_rooms(named(floor, "home", { x: 0.5, y: 5.5 })), []);
+  const beside = with_place({ ...building, floor }, "desk", { x: -0.5, y: 5.5 }, 90);
+  assert.deepEqual(named_rooms(beside), []);
+  assert.deepEqual(named_rooms(building), []);
 });
 
 test("Where no free floor is known there is no room", () => {
