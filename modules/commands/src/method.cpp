@@ -9,7 +9,7 @@ std::string present_method(const std::string& name) {
 }
 
 std::string present_method(const std::string& name, Console& console) {
-  const std::string present = present_method(name);
+  std::string present = present_method(name);
   if (present != name) console.warn(fmt::format("the method '{}' is now '{}'", name, present));
   return present;
 }
