@@ -29,7 +29,7 @@ Problems MissionRecorder::keep(const Decision& decision) {
 }
 
 Problems MissionRecorder::keep_goals(std::string goals_json) {
-  if (!session_ || goals_json == goals_kept_) return {};
+  if (goals_json == goals_kept_) return {};
   goals_kept_ = std::move(goals_json);
   return session_->keep_goals(goals_kept_);
 }

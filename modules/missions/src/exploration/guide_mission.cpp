@@ -47,8 +47,9 @@ class GuideMissionRecorder final : public MissionRecorder {
 
  private:
   Problems record_goals() {
-    if constexpr (std::is_same_v<Driver, GuideDriver>)
-      return keep_goals(goals_json(driver_.goal(), driver_.navigator().places_reached()));
+    if constexpr (std::is_same_v<Driver, GuideDriver>) {
+      if (has_session()) return keep_goals(goals_json(driver_.goal(), driver_.navigator().places_reached()));
+    }
     return {};
   }
 

@@ -39,10 +39,11 @@ class MissionRecorder : public MissionRecord {
   void show_floor(const FloorGrid& floor);
   void show(const SessionTopic& topic, const std::string& cdr) const;
 
-  /// Records the goals as they are now; only if they changed.
+  /// Records the goals as they are now; only if they changed. There must be a session.
   /// @param goals_json  as goals_json() says them
   Problems keep_goals(std::string goals_json);
 
+  bool has_session() const { return session_.has_value(); }
   bool is_watched() const { return session_ && session_->watcher() != nullptr; }
   /// Name of the camera of the cycle's first image; empty: no image was taken.
   const std::string& image_camera() const { return image_camera_; }
